@@ -18,8 +18,8 @@ declares, in one finding for each package. It needs
   files start the controller manager or its spawner.
 
 What a comment in the package.xml names is left out on purpose, unless it is a dependency that is only commented out
-and launch files start. Of two packages that need each other, the first one is to declare the other. What others wrote
-is not looked at.
+and launch files start, and that no list of repositories fetches. Of packages that need each other, directly or through
+others, the last one is not to declare the next: colcon builds no circle. What others wrote is not looked at.
 
 The message says what follows for the worst of them: a clean build stops at a package of the same workspace; nothing of
 the tree declares or installs it; rosdep and colcon do not know of it; it is there as far as others bring it.
@@ -126,24 +126,42 @@ ASKED = {
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
-    advised: set[tuple[str, str]] = set()
+    advised: dict[str, set[str]] = {}
     for package in robot.launch.workspace.packages.values():
         found = (
             undeclared(robot.dependencies, robot.launch, package) if robot.dependencies.must_declare(package) else None
         )
-        found = _without_cycles(package, found, advised) if found is not None else None
+        found = _without_cycles(robot, package, found, advised) if found is not None else None
         if found is not None:
-            advised.update((package.name, str(need.name)) for need in found.needs)
+            advised[package.name] = {str(need.name) for need in found.needs}
             yield _finding(robot, package, found)
 
 
-def _without_cycles(package: launch.Package, found: Undeclared, advised: set[tuple[str, str]]) -> Undeclared | None:
-    """What is to be declared without a package that shall declare this one: colcon builds no circle. That a build stops
-    is said in any case."""
+def _without_cycles(
+    robot: Robot, package: launch.Package, found: Undeclared, advised: dict[str, set[str]]
+) -> Undeclared | None:
+    """What is to be declared without a package that needs this one, as declared or as advised before: colcon builds no
+    circle. That a build stops is said in any case."""
     if found.lack is Lack.BUILD:
         return found
-    needs = [need for need in found.needs if (str(need.name), package.name) not in advised]
+    needs = [need for need in found.needs if not _leads_to(robot, str(need.name), package.name, advised)]
     return found._replace(needs=needs) if needs else None
+
+
+def _leads_to(robot: Robot, start: str, end: str, advised: dict[str, set[str]]) -> bool:
+    """Whether a package of the workspace needs another one, directly or through others."""
+    packages = robot.launch.workspace.packages
+    todo, seen = [start], {start}
+    while todo:
+        name = todo.pop()
+        if name == end:
+            return True
+        own = packages.get(name)
+        depends = (str(each) for _, each in own.manifest.depends) if own is not None else ()
+        new = {*depends, *advised.get(name, ())} & packages.keys() - seen
+        seen |= new
+        todo += new
+    return False
 
 
 def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:
@@ -153,7 +171,7 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
     return finding(
         _last(package) or package.place,
         f"{package.name} needs {_names(needs)} and does not declare {_them(needs)}: {_why(robot, package, found)}",
-        advice=_advice(package, needs),
+        advice=_advice(robot, package, needs),
         related=[
             *([note(command, "built without it here")] if command else ()),
             *_places(robot, every),
@@ -221,6 +239,8 @@ def _end(need: Need) -> str:
         return f"{file} ends, because there is no program '{need.name}'"
     if need.use == "plugin":
         return f"the controller manager does not find the plugin that {file} names"
+    if need.is_process:
+        return f"the command of {file} ends with \"Package '{need.name}' not found\", and launch goes on without it"
     if need.is_component:
         return f"the container of {file} does not load the component of {need.name}, and launch goes on without it"
     if need.use == "library":
@@ -228,13 +248,15 @@ def _end(need: Need) -> str:
     return f"{file} ends with \"package '{need.name}' not found\""
 
 
-def _advice(package: launch.Package, needs: list[Need]) -> str:
+def _advice(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
     declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
     if not declared:
         return f"install {needs[0].name} with the robot, for example by a requirements.txt"
     tag, key = declared[0]
     others = " and the others" if len(declared) > 1 else ""
-    return f"add <{tag}>{key}</{tag}>{others} to the package.xml of {package.name}"
+    unheard = next((need.name for need in needs if robot.dependencies.is_unheard_of(need)), None)
+    where = f", and have the source of {unheard} in the workspace, or correct the name" if unheard is not None else ""
+    return f"add <{tag}>{key}</{tag}>{others} to the package.xml of {package.name}{where}"
 
 
 def _first(package: launch.Package) -> Span:

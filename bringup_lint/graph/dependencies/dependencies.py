@@ -15,6 +15,7 @@ from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.facts.ros.needed import of_key
 from bringup_lint.facts.ros.needed import unresolved
+from bringup_lint.facts.ros.released import released
 from bringup_lint.graph.dependencies.build_needs import of_builds
 from bringup_lint.graph.dependencies.build_needs import of_headers
 from bringup_lint.graph.dependencies.build_needs import of_interfaces
@@ -52,6 +53,7 @@ from bringup_lint.graph.dependencies.unloadable import Unloadable
 from bringup_lint.graph.dependencies.unloadable import unloadable
 from bringup_lint.graph.dependencies.unregistered import Unregistered
 from bringup_lint.graph.dependencies.unregistered import unregistered
+from bringup_lint.graph.launch.packages import is_known_package
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
@@ -304,7 +306,7 @@ class Dependencies:
 
     def unregistered(self, package: Package) -> Iterator[Unregistered]:
         """The components that the build of a package names as no source of it registers them."""
-        return unregistered(self._files, package)
+        return unregistered(self._files, self._launch, package)
 
     @property
     def missing_interfaces(self) -> Iterator[MissingInterface]:
@@ -359,6 +361,16 @@ class Dependencies:
         if need.use == "module" and self._asks_for_others(need.owner):
             return False
         return not self._is_example(need) and not self._provided.brings(known)
+
+    def is_unheard_of(self, need: Need) -> bool:
+        """Whether no table and nothing else of the tree knows a package, and none of the tree has a name of its family:
+        it may have another name now, and rosdep stops where a package.xml declares it."""
+        name = str(need.name)
+        if need.use in ("module", "program", "library", "interfaces"):
+            return False
+        is_known = need.fact is not None or name in released() or name in base() or is_known_package(name)
+        is_known = is_known or name.partition("_")[0] in self._families
+        return not (is_known or self.is_of_workspace(need) or name in self._declared or self.is_fetched(name))
 
     def is_installed(self, need: Need) -> bool:
         """Whether something of the tree installs a module or a library that is no package of ROS."""
@@ -425,6 +437,11 @@ class Dependencies:
         workspace = self._launch.workspace
         depends = (name for package in workspace.packages.values() for _, name in package.manifest.depends)
         return frozenset(map(str, depends)) - workspace.packages.keys() | frozenset(workspace.ambiguous)
+
+    @cached_property
+    def _families(self) -> frozenset[str]:
+        """The first words of the names of packages."""
+        return frozenset(name.partition("_")[0] for name in self._own)
 
     @cached_property
     def _own(self) -> frozenset[str]:

@@ -81,7 +81,7 @@ class Installers:
     @cached_property
     def _by_path(self) -> list[tuple[str, str]]:
         texts = ((path, self._tree.head(path, _MOST)) for path in self._tree.paths if _TELLING.search(path))
-        return [(path, text.lower()) for path, text in texts if _PARAMETERS not in text]
+        return [(path, text.lower()) for path, text in texts if _PARAMETERS not in text or _DOCUMENTATION.search(path)]
 
     @cached_property
     def texts(self) -> list[str]:

@@ -58,6 +58,8 @@ class Need(NamedTuple):
     """No argument is needed for it."""
     by_others: bool = False
     """Another package of the workspace declares it, on which this one depends."""
+    is_process: bool = False
+    """A command of a launch file runs it, and launch goes on without it."""
     of_tests: bool = False
     """Only tests need it, which colcon builds where nobody says ``-DBUILD_TESTING=OFF``."""
 
@@ -77,8 +79,9 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
         if name is not None and owner is not None:
             is_of_robot, is_kept = _is_of_robot(files, launch, node.file, owner), _is_kept(node.file, owner)
             is_loaded, by_default = isinstance(node.action, ComposableNode), node.by_default is True
-            always = is_of_robot and by_default
-            yield Need("node", name, owner, always, is_loaded, is_of_robot, is_kept, by_default)
+            always, is_process = is_of_robot and by_default, not isinstance(node.action, (Node, ComposableNode))
+            need = Need("node", name, owner, always, is_loaded, is_of_robot, is_kept, by_default)
+            yield need._replace(is_process=is_process)
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
         if owner is None:

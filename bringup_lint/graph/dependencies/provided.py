@@ -28,6 +28,8 @@ _PATTERN = regex(
 _SHORT = 3
 """Characters of a pattern that many packages begin with."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
+_INSTALLERS = regex(r"(?:^|_)(?:install(?:er|ers)?|setup|provisioning)(?:_|$)")
+"""Of the name of a repository that people fetch to install a robot."""
 _OWNERS = frozenset(
     "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2 "
     "ros-controls intelrealsense realsenseai".split()
@@ -66,7 +68,9 @@ class Provided:
         self._dockerfiles = dockerfiles
 
     def brings(self, known: Needed) -> bool:
-        """Whether anything of the tree may bring it, an image of others included."""
+        """Whether anything of the tree may bring it, an image of others and a repository of installers included."""
+        if any(map(_INSTALLERS.search, self._fetched)):
+            return True
         if self._foreign_images or self._is_of_pattern(known) or known.words & self._variants:
             return True
         return self.installs(known)

@@ -96,7 +96,7 @@ def undeclared(dependencies: Dependencies, launch: Launch, package: Package) -> 
     lacks = [(lack, need) for need in dependencies.undeclared(package) if (lack := needed.lack(need)) is not None]
     if _EXPLAINED.search(package.manifest.source.text):
         lacks = [each for each in lacks if each[0] < Lack.PACKAGE]
-    lacks.sort(key=lambda each: (each[0], _VIEWER.search(each[1].name) is not None))
+    lacks.sort(key=lambda each: (each[0], needed.is_unclear(each[1]), _VIEWER.search(each[1].name) is not None))
     worst = lacks[0][0] if lacks else Lack.LIKELY
     if worst is Lack.LIKELY:
         return None
@@ -180,6 +180,10 @@ class _Needed:
             return None
         return Lack.PACKAGE if need.use in _STARTED and self._is_of_robot(need) else Lack.ASIDE
 
+    def is_unclear(self, need: Need) -> bool:
+        """Whether a package is looked for of which nothing tells that there is one."""
+        return need.use in _NAMED and self._dependencies.is_unheard_of(need)
+
     def _is_of_robot(self, need: Need) -> bool:
         """Whether a package of the workspace is for more than simulations: no rosdep brings it."""
         needed = self._launch.workspace.packages.get(str(need.name))
@@ -246,9 +250,11 @@ class _Needed:
         return any(map(need.fact.comes_with, declared))
 
     def _is_explained(self, need: Need) -> bool:
-        """Whether a comment names it; one that only holds a dependency says nothing of what is started all the same."""
+        """Whether a comment names it. One that only holds a dependency says nothing of what is started all the same,
+        unless the tree fetches it."""
         name = str(need.name)
-        return name in self._explained and not (name in self._left_out and need.use in _STARTED)
+        is_left = name in self._left_out and need.use in _STARTED and not self._dependencies.is_fetched(name)
+        return name in self._explained and not is_left
 
     def _is_circular(self, need: Need) -> bool:
         """Whether a package depends on the one that needs it, so that it cannot be declared: by its package.xml, or
