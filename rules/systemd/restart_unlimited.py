@@ -6,15 +6,17 @@ A service with Restart= and a start limit that acts too late or too early:
 - The unit sets a limit that can never trip: StartLimitBurst= × RestartSec= > StartLimitIntervalSec=. The setting
   has no effect, and a failing service restarts forever. With a delay of 60 s or more it is an info.
 - The limit is disabled, and the service restarts more than once a second, forever.
-- The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). With
-  Restart=always it is a warning, one for all services of the robot. With Restart=on-failure, a delay of 60 s or more,
-  or a program that only connects to a board, a clock or another computer (a micro-ROS agent, rosbridge, ptp4l), endless
-  retries are often wanted: it is an info.
+- The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). Endless
+  retries after a pause are often wanted: it is an info, one for all services of the robot. With Restart=always it is a
+  warning in two cases: the unit says what is to happen when it fails (OnFailure=, FailureAction=, StartLimitAction=),
+  which never comes; or it starts `ros2 launch` again after less than 5 s. Both stay an info with a delay of 60 s or
+  more, and for a program that only connects to a board, a clock or another computer (a micro-ROS agent, rosbridge).
 - The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
   limit trips after about a second, and the service stays down for good. It is a warning for services that start ROS
-  or containers, one for all of the robot, and an info for others.
+  or containers, one for all of the robot, and an info for others. What takes longer to fail, such as `ros2 launch` and
+  an attached `docker compose up`, restarts forever without a pause instead.
 
 systemd ignores StartLimitIntervalSec= in [Service]: systemd/key-in-wrong-section reports that line, and this rule
 is silent.
@@ -102,7 +104,7 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
 
 def _advice(crash: CrashLoop) -> str:
     policy = crash.policy
-    if crash.loop.outcome is Outcome.GIVES_UP:
+    if crash.loop.outcome in (Outcome.GIVES_UP, Outcome.EITHER):
         return "set RestartSec= to a few seconds, and StartLimitIntervalSec= and StartLimitBurst= in [Unit] on purpose"
     return (
         f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
@@ -128,6 +130,12 @@ def _message(crash: CrashLoop) -> str:
         )
     if loop.outcome is Outcome.NO_TIME_LEFT:
         return f"{policy.burst} restarts × {every} fill the interval of {interval}: the limit never trips"
+    if loop.outcome is Outcome.EITHER:
+        return (
+            f"{name} restarts after {every} without a limit of its own: where each start fails within "
+            f"{duration(round(crash.spare, 2))}, it stays down for good after {policy.burst}, and else it restarts "
+            "forever without a pause"
+        )
     if loop.outcome is Outcome.GIVES_UP:
         return (
             f"{name} restarts after {every} without a limit of its own: after {limit}, "

@@ -24,6 +24,8 @@ SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
 FAST = 1.0
 """Seconds between restarts below which an endless loop loads the computer and the journal."""
+PAUSE = 5.0
+"""Seconds between restarts from which a loop does no harm to the rest of the robot."""
 FAILING_LAUNCH = 1.0
 """Seconds that ros2 launch needs at least to start and fail."""
 
@@ -41,6 +43,7 @@ class Outcome(Enum):
     NEVER_TRIPS = "the restarts take longer than the interval of the start limit"
     NO_TIME_LEFT = "the restarts fill the interval of the start limit"
     GIVES_UP = "the default limit trips soon, and the service stays down"
+    EITHER = "the default limit trips or not, and without a pause there is harm in both"
     SLOW_FAILURE = "the default limit trips only when every start fails at once"
 
 
@@ -60,8 +63,8 @@ class CrashLoop(NamedTuple):
     @property
     def counts_on_default(self) -> bool:
         """Whether it counts on the default limit or the default delay: one cause for all such services of a robot."""
-        ends = self.loop.outcome in (Outcome.NEVER_TRIPS, Outcome.GIVES_UP)
-        return ends and self.loop.is_unwanted and not self.policy.own_limit
+        by_default = (Outcome.NEVER_TRIPS, Outcome.GIVES_UP, Outcome.EITHER)
+        return self.loop.outcome in by_default and not self.policy.own_limit
 
     @property
     def cause(self) -> Located | None:
@@ -88,7 +91,7 @@ def crash_loops(
 ) -> Iterator[tuple[CrashLoop, list[CrashLoop]]]:
     """The crash loops that need attention; those that count on the default limit as one for each purpose, with the
     others of them."""
-    by_default: dict[tuple[Purpose, Outcome], list[CrashLoop]] = {}
+    by_default: dict[tuple[Purpose, Loop], list[CrashLoop]] = {}
     found: list[list[CrashLoop]] = []
     for unit in units.services:
         policy = units.restart(unit)
@@ -96,7 +99,7 @@ def crash_loops(
         if loop is None:
             continue
         crash = CrashLoop(unit, policy, loop)
-        key = (purpose(crash.place), loop.outcome)
+        key = (purpose(crash.place), loop)
         group = by_default.setdefault(key, []) if crash.counts_on_default else []
         group.append(crash)
         if len(group) == 1:
@@ -139,15 +142,17 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     if not unit.complete or not policy.known or not policy.restarts or policy.misplaced:
         return None
     if policy.never_trips:
-        return _endless(policy, only_connects(unit, units))
+        return _endless(unit, policy, units)
     if policy.leaves_no_time:
         return Loop(Outcome.NO_TIME_LEFT, False)
     if policy.interval_at or policy.burst_at:
         return None
-    of_robot = unit in units.ros or any(any(docker_starts(process)) for process in units.started(unit))
+    containers = [start for process in units.started(unit) for start in docker_starts(process)]
+    of_robot = unit in units.ros or bool(containers)
     relays = only_connects(unit, units)
     if (policy.restart == "always" or relays) and policy.delay < 1 and (of_robot or policy.delay):
-        return Loop(Outcome.GIVES_UP, of_robot or relays)
+        fails_late = bool(units.launches(unit)) or any(each.compose and not each.detached for each in containers)
+        return Loop(Outcome.EITHER if fails_late else Outcome.GIVES_UP, of_robot or relays)
     slow = unit in units.launching and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
@@ -164,12 +169,19 @@ def only_connects(unit: Unit, units: Units) -> bool:
     return False
 
 
-def _endless(policy: RestartPolicy, waits: bool) -> Loop | None:
+def _endless(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None:
     if policy.steps and policy.longest >= SLOW:
         return None
     if not policy.limited:
         return Loop(Outcome.NO_LIMIT, policy.longest < FAST)
     if policy.own_limit:
         return Loop(Outcome.NEVER_TRIPS, policy.longest < SLOW)
-    retries = waits or policy.restart != "always" or policy.longest >= SLOW
-    return Loop(Outcome.NEVER_TRIPS, not retries)
+    retries = policy.restart != "always" or policy.longest >= SLOW or only_connects(unit, units)
+    harms = unit in units.launching and policy.longest < PAUSE
+    return Loop(Outcome.NEVER_TRIPS, not retries and (harms or _acts_on_end(unit)))
+
+
+def _acts_on_end(unit: Unit) -> bool:
+    """Whether the unit says what is to happen once it counts as failed."""
+    actions = (unit.get(key, "Unit") for key in ("FailureAction", "StartLimitAction"))
+    return unit.has("OnFailure", "Unit") or any(action not in (None, "none") for action in actions)
