@@ -19,7 +19,8 @@ On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simula
 
 ## Why it matters on a robot
 The numbers follow the order in which devices are found. After a reboot the IMU is ttyUSB1 and the motor controller
-ttyUSB0: each driver talks to the wrong device.
+ttyUSB0: each driver talks to the wrong device. A port that is open when its plug comes loose keeps its number, so that
+even the only adapter of a robot comes back with the next one.
 
 ## Bad
 ```ini
@@ -44,6 +45,7 @@ When the robot has exactly one device of this kind and no free port where a seco
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -52,6 +54,7 @@ from bringup_lint.api.host import DeviceUse
 from bringup_lint.api.udev import Link
 
 _SEVERITY = {"argument": "info"}
+FIRST = ("/dev/ttyUSB0", "/dev/ttyACM0")
 _RANK = ("literal", "unit", "host", "default", "script", "argument")
 
 
@@ -87,14 +90,14 @@ def unstable_path(robot: Robot) -> Iterator[Finding]:
 def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[DeviceUse]) -> Finding:
     names = " or ".join(link.path for link in links[:3])
     severity = _SEVERITY.get(use.certainty)
-    beside = robot.devices.beside(use) if severity == "info" else None
+    beside = robot.devices.beside(use)
     if use.certainty == "argument" and (beside is not None or _is_launched_at_boot(robot, use)):
         severity = "warning"
     if robot.devices.is_single_camera(use) or robot.devices.is_default(use):
         severity = "info"
     return finding(
         use.path,
-        f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
+        f"{use.path} is numbered in the order of discovery: {_then(use.path, beside)}",
         advice=f"use {names}" if links else f"create a link with a udev rule, or {_instead(use.path)}",
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
@@ -105,6 +108,13 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
         severity=severity,
         chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
     )
+
+
+def _then(path: str, beside: Located | None) -> str:
+    """What comes of the number. The first of its kind keeps it for as long as nothing else is plugged in."""
+    if beside is None and path in FIRST:
+        return "a second adapter, or a plug that comes loose while the port is open, changes the number"
+    return "after a reboot it may be another device"
 
 
 def _instead(path: str) -> str:

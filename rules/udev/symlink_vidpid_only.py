@@ -5,7 +5,8 @@ A rule for a serial port or camera that makes a link and identifies the device b
 alone:
 - **warning**: a robot with a second device of these ids, for which another rule makes another link; and any device
   whose link ends in the number of the kernel (`gps_%n`).
-- **info**: any other device.
+- **info**: any other device, and one that compose hands to a container under the name of the other link: both names are
+  for it.
 
 ## Why it matters on a robot
 A second adapter with the same chip also matches and takes the link: IMU and motor controller can swap from
@@ -99,6 +100,8 @@ def _twin(robot: Robot, link: Link, of_id: dict[str, list[Link]]) -> Link | None
     """The link that another rule makes for a second device of the same ids on this robot."""
     for other in of_id[link.rule.usb_ids[0]][:_MOST_RIVALS]:
         if other.path == link.path or not other.rule.judged or other.rule.is_serial != link.rule.is_serial:
+            continue
+        if not robot.devices.renamed.isdisjoint(((link.path, other.path), (other.path, link.path))):
             continue
         opened = _is_beside(other, link) or robot.devices.names(link.path)
         if opened and robot.same_robot(other.name, link.name):

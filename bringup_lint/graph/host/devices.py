@@ -149,12 +149,17 @@ class Devices:
     @cached_property
     def _inside_containers(self) -> frozenset[str]:
         """Paths that compose gives to devices inside a container, other than their own."""
+        return frozenset(inside for _, inside in self.renamed)
+
+    @cached_property
+    def renamed(self) -> frozenset[tuple[str, str]]:
+        """The paths of devices, each with another one that compose gives to it in a container."""
         if not self.files.of_kind("compose"):
             return frozenset()
         from bringup_lint.model.compose import split
 
         mappings = [split(device.where) for service in self.compose().services for device in service.devices]
-        return frozenset(str(parts[1]) for parts in mappings if len(parts) > 1 and parts[0] != parts[1])
+        return frozenset((str(each[0]), str(each[1])) for each in mappings if len(each) > 1 and each[0] != each[1])
 
     @property
     def unstable(self) -> Iterator[tuple[DeviceUse, list[Link]]]:
@@ -166,14 +171,22 @@ class Devices:
     def beside(self, use: DeviceUse) -> Located | None:
         """A serial device of the same kind beside one that a path means: of another number, or where a script looks
         through all of them."""
-        family = use.path.rstrip("0123456789")
-        if family == use.path or family.startswith(_CAMERA):
+        family = _family(use.path)
+        if not family:
             return None
-        for other in self.uses:
-            numbered = other.path != use.path and other.path.rstrip("0123456789") == family
-            if numbered and not self.is_default(other) and self.files.purpose(other.path) is Purpose.ROBOT:
-                return other.path
-        return next(self._looked_through(family), None)
+        others = (where for path, where in self._numbered.get(family, {}).items() if path != use.path)
+        return next(others, None) or next(self._looked_through(family), None)
+
+    @cached_property
+    def _numbered(self) -> dict[str, dict[str, Located]]:
+        """The numbered names of each kind that the robot's own files use, and where first."""
+        found: dict[str, dict[str, Located]] = {}
+        for use in self.uses:
+            family = _family(use.path)
+            if family and use.path not in found.get(family, ()) and not self.is_default(use):
+                if self.files.purpose(use.path) is Purpose.ROBOT:
+                    found.setdefault(family, {})[str(use.path)] = use.path
+        return found
 
     def _looked_through(self, family: str) -> Iterator[Located]:
         loop = f"{family}*"
@@ -370,6 +383,12 @@ def is_link_by_form(path: str) -> bool:
     name = path.removeprefix("/dev/")
     is_node = name in _OF_KERNEL or _NODES.fullmatch(name) is not None or subsystem_of_name(name) is not None
     return "/" not in name and not is_node
+
+
+def _family(path: str) -> str:
+    """The name of a device without its number; nothing for one that has none, and for a camera."""
+    family = path.rstrip("0123456789")
+    return "" if family == path or family.startswith(_CAMERA) else family
 
 
 def _always_there(path: str) -> bool:
