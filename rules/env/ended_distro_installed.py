@@ -5,9 +5,10 @@ A shell script, unit or Dockerfile that installs (`ros-X-...`, `FROM ros:X`) or 
 ROS 1, or one of ROS 2 whose end of life is before today, and names no other. Where the whole tree names one
 distribution of ROS 2 only, env/ros-distro-eol reports it.
 
-Silent for files that are for that distribution by their name or folder, and for those of tests, simulation and
-development. Info where all of the files are in folders for a release of Ubuntu, such as `20.04`, or scripts that start
-a container with `docker run --rm`.
+Silent for files that are for that distribution by their name or folder, for those of tests, simulation and development,
+and for packages that are removed, held or marked. Info where all of the files are in folders for a release of Ubuntu,
+such as `20.04`, are scripts that start a container with `docker run --rm` or write the Dockerfile for it, or are
+Dockerfiles that nothing builds in a tree that names a supported distribution as well.
 
 ## Why it matters on a robot
 Security holes stay open, the Ubuntu release that the distribution is built for ends with it, and the package server
@@ -32,11 +33,13 @@ When you get security updates from a vendor with extended support, or the robot 
 """
 
 from collections.abc import Iterator
+from re import Match
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
+from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -59,6 +62,13 @@ KINDS = ("shell-script", "systemd-unit", "dockerfile")
 VERSION = regex(r"(?:^|[/._-])(?:1[4-9]|2\d)\.(?:04|10)/")
 """A folder for one release of Ubuntu, kept beside those for others."""
 
+KEPT = regex(
+    r"\b(?:apt-mark|(?:apt|apt-get|aptitude)\b[^\n;&|]{0,100}\b(?:purge|remove|autoremove|hold))\b[^\n;&|]{0,900}$",
+    hints="apt",
+)
+"""A command that takes packages away, or marks those that are there."""
+WRITTEN = regex(r"<<-?[ \t]*[\"']?(?P<end>\w{1,40})[^\n]{0,200}", hints="<<")
+LONGEST = 1000
 THROWN_AWAY = regex(r"\bdocker[ \t]+run\b[^\n]{0,200}[ \t]--rm\b", hints="docker")
 
 
@@ -79,20 +89,46 @@ def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
                 first,
                 f"ROS {'' if name in FIRST else '2 '}{name.capitalize()} has had no updates since {end:%B %Y}, "
                 "not even security fixes",
-                advice="plan the migration to a supported distribution",
+                advice=_advice(robot),
                 related=[note(other, "here too") for other in others[:20]],
-                severity="info" if all(map(_is_apart, (first, *others))) else None,
+                severity="info" if all(_is_apart(robot, each) for each in (first, *others)) else None,
             )
 
 
-def _is_apart(place: Located) -> bool:
-    """Whether a place is for one release of several, or in a container that a script starts and throws away."""
+def _supported(robot: Robot) -> list[str]:
+    """The distributions with updates that the tree names, the oldest first."""
+    ends = {name: distro_end(name) for name in SECOND if name in robot.target.named}
+    return [name for name, end in ends.items() if end is None or end >= robot.today]
+
+
+def _advice(robot: Robot) -> str:
+    newer = _supported(robot)
+    if newer:
+        return f"remove what is left over, or move it to {newer[-1].capitalize()}, which the tree names as well"
+    return "plan the migration to a supported distribution"
+
+
+def _is_apart(robot: Robot, place: Located) -> bool:
+    """Whether a place is for one release of several, in a container that a script starts and throws away, or in a
+    Dockerfile that nothing builds any more."""
     source = place.span.source
-    if VERSION.search(source.name):
+    if VERSION.search(source.name) or _is_written_for_tool(source, place.span.start):
         return True
+    if source.kind == "dockerfile" and _supported(robot):
+        return not any(docker.is_used(robot.compose, file) for file in robot.dockerfiles if file.source is source)
     runs = THROWN_AWAY.finditer(source.text) if source.kind == "shell-script" else ()
     started = [run.end() for run in runs if run.end() <= place.span.start]
     return bool(started) and _is_one_command(source.text[started[-1] : place.span.start])
+
+
+def _is_written_for_tool(source: Source, start: int) -> bool:
+    """Whether a place is in a Dockerfile that a script writes and builds, to start it with ``--rm``."""
+    at = source.text.rfind("<<", 0, start) if source.kind == "shell-script" else -1
+    written = WRITTEN.match(source.text, at) if at >= 0 else None
+    if written is None or "Dockerfile" not in source.line_text(source.located(at, at).span.line):
+        return False
+    is_open = f"\n{written['end']}\n" not in source.text[at:start]
+    return is_open and THROWN_AWAY.search(source.text) is not None
 
 
 def _is_one_command(between: str) -> bool:
@@ -103,7 +139,8 @@ def _is_one_command(between: str) -> bool:
 
 def _taken(source: Source) -> tuple[str, Located] | None:
     """The only distribution that a file names, where it installs or sources that."""
-    matches = (match for match in TAKES.finditer(source.text) if not _is_remark(source, match.start()))
+    found = TAKES.finditer(source.text)
+    matches = (match for match in found if not _is_remark(source, match.start()) and not _is_kept(source, match))
     match = next(matches, None)
     if match is None or named_distros(source.name):
         return None
@@ -111,6 +148,14 @@ def _taken(source: Source) -> tuple[str, Located] | None:
     if named_distros(source.uncommented) != {name}:
         return None
     return name, source.located(*match.span())
+
+
+def _is_kept(source: Source, match: Match[str]) -> bool:
+    """Whether a command that installs nothing names a package."""
+    if match["package"] is None:
+        return False
+    before = source.text[max(match.start() - LONGEST, 0) : match.start()].replace("\\\n", " ")
+    return KEPT.search(before.rpartition("\n")[2]) is not None
 
 
 def _is_remark(source: Source, start: int) -> bool:

@@ -110,9 +110,12 @@ def _is_run_beside(compose: Compose, stage: Stage) -> bool:
 
 def is_left_over(compose: Compose, file: Dockerfile) -> bool:
     """Whether nothing of the tree builds or names a Dockerfile, and another one is built in its place."""
-    if _is_built(compose, file) or compose.images.is_named(file.source):
-        return False
-    return os.path.dirname(file.source.name) in compose.build_folders
+    return os.path.dirname(file.source.name) in compose.build_folders and not is_used(compose, file)
+
+
+def is_used(compose: Compose, file: Dockerfile) -> bool:
+    """Whether anything of the tree builds or names a Dockerfile."""
+    return _is_built(compose, file) or compose.images.is_named(file.source)
 
 
 def _is_built(compose: Compose, file: Dockerfile) -> bool:
