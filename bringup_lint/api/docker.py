@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.folder_owners import builds_of_others
     from bringup_lint.graph.containers.questions.git_history import without_history
     from bringup_lint.graph.containers.questions.image_use import is_deployed
+    from bringup_lint.graph.containers.questions.image_use import is_used
+    from bringup_lint.graph.containers.questions.mounted_files import mounting_service
     from bringup_lint.graph.containers.questions.shell_texts import Reads
     from bringup_lint.graph.containers.questions.shell_texts import checks_of
     from bringup_lint.graph.containers.questions.shell_texts import shell_texts
@@ -101,12 +103,14 @@ __all__ = [
     "is_deployed",
     "is_deployed_to",
     "is_in_container",
+    "is_used",
     "lacking_sources",
     "last_user",
     "may_set",
     "misplaced_mounts",
     "missing_programs",
     "missing_settings",
+    "mounting_service",
     "oldest_codename",
     "other_distros",
     "own_homes",

@@ -50,6 +50,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
+from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -91,6 +92,12 @@ TEXTS = {
     "broker": ("takes messages from everybody who reaches its port", "use password_file, or bind it to 127.0.0.1"),
 }
 
+IN_CONTAINERS = {
+    "serial": "publish the port of its container on 127.0.0.1, or on the one address of the robot that needs it",
+    "broker": "use password_file, or publish the port of its container on 127.0.0.1 alone",
+}
+"""What helps where Docker hands the port on: there, 127.0.0.1 is the container, and nothing reaches it."""
+
 
 @rule(
     "error",
@@ -106,6 +113,8 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             defaults[each.where] = each.default
     for (kind, name), (first, *others) in services.items():
         does, advice = TEXTS[kind]
+        if kind in IN_CONTAINERS and _is_in_network_of_docker(robot, first):
+            advice = IN_CONTAINERS[kind]
         motion = kind == "bridge" and _is_driven(robot)
         yield finding(
             first,
@@ -118,6 +127,12 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             severity=_severity(kind, motion) or ("warning" if _is_known_open(first) else None),
             confidence="medium" if kind in WARNED or kind == "bridge" else None,
         )
+
+
+def _is_in_network_of_docker(robot: Robot, where: Span) -> bool:
+    """Whether the settings of a service are for a container that is not on the host network."""
+    service = docker.mounting_service(robot.compose, where.source) if robot.of_kind("compose") else None
+    return service is not None and not service.is_on_host_network
 
 
 def _is_driven(robot: Robot) -> bool:
