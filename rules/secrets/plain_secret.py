@@ -10,9 +10,11 @@ where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files that
 only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one in a
-comment, is a warning; a sample value, the name of the user as the password of another machine, and a password of an
-Ansible inventory that names no host but `localhost`, or has `ansible_connection=local`, is info. Places of a file with
-the same value are one finding.
+comment, is a warning, and so is a password that the defaults of an Ansible role give to robots whose inventory has
+none. It is info for a sample value, the name of the user as the password of another machine, a well-known password that
+is called `INITIAL_` in a tree whose program asks for another at the first login, and a password of an Ansible inventory
+that names no host but `localhost`, or has `ansible_connection=local`. Places of a file with the same value are one
+finding.
 
 ## Why it matters on a robot
 Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
@@ -52,6 +54,17 @@ from bringup_lint.api import rule
 from bringup_lint.api.secrets import Secret
 
 WIRELESS = regex(r"wi-?fi|wpa|hotspot|psk", re.I)
+DEFAULTS = regex(r"(?:^|/)roles/[^/\n]{1,200}/defaults/")
+PASSWORD = regex(r"pass(?:w(?:or)?d|phrase)|psk", re.I)
+INITIAL = regex(r"(?:\w{1,40}_)?(?:INITIAL|FIRST)_", re.I)
+ASKS = regex(
+    r"password_change_required|(?:must|force|require)_(?:password_change|change_password)|change_password_on_first_login",
+    re.I,
+    "password",
+)
+PROGRAM = regex(r"\.(?:py|js|ts|go|rs)$")
+MOST = 256 * 1024
+"""Bytes of a program that is read."""
 WORD = regex(r"[a-z]{4,}")
 WHO = {
     "unit": "every local user can read it with systemctl show",
@@ -91,19 +104,26 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
         found.setdefault((secret.value.span.source, key), []).append(secret)
     for secrets in found.values():
         first, *others = sorted(secrets, key=lambda each: _is_commented(each.value))
-        weak = first.weak or _is_of_product(first)
+        weak, default = first.weak or _is_of_product(first), _is_default_of_role(first)
+        replaced = weak and _is_replaced(robot, first)
         source = first.value.span.source
         who = WHO[first.holder]
         if first.holder == "env-file" and source.mode is not None:
             who = f"every local user can read this file (mode {source.mode:04o})"
+        lowered = weak or default or _is_commented(first.value)
+        message, advice = f"{first.name} is a secret in clear text: {who}", _instead(first)
+        if weak:
+            message = f"{first.name} is a default that everybody knows or guesses, the same on every robot"
+            advice = "make a password for each robot, at its first boot"
+        elif default:
+            message = f"{first.name} is in every copy of the role: it works on each robot whose inventory sets no other"
+            advice = "give no default, and set one for each robot in a file that ansible-vault encrypts"
         yield finding(
             first.value,
-            f"{first.name} is a default that everybody knows or guesses, the same on every robot"
-            if weak
-            else f"{first.name} is a secret in clear text: {who}",
-            advice="make a password for each robot, at its first boot" if weak else _instead(first),
+            message,
+            advice=advice,
             related=[note(each.value, "the same secret") for each in others],
-            severity="info" if first.sample else "warning" if weak or _is_commented(first.value) else None,
+            severity="info" if first.sample or replaced else "warning" if lowered else None,
             secrets=[each.value for each in (first, *others)],
         )
 
@@ -117,6 +137,16 @@ def _instead(secret: Secret) -> str:
 def _is_commented(value: Located) -> bool:
     """Whether the line is a comment: the secret is given away, but not in use."""
     return value.span.source.line_text(value.span.line).lstrip().startswith(("#", "//", "<!--"))
+
+
+def _is_default_of_role(secret: Secret) -> bool:
+    """Whether a password is what an Ansible role takes where nobody sets it."""
+    return DEFAULTS.search(secret.value.span.source.name) is not None and PASSWORD.search(secret.name) is not None
+
+
+def _is_replaced(robot: Robot, secret: Secret) -> bool:
+    """Whether a password is for the first login only, and a program of the tree then asks for another."""
+    return INITIAL.match(secret.name) is not None and any(map(ASKS.search, robot.tree.pages(PROGRAM, MOST)))
 
 
 def _is_of_product(secret: Secret) -> bool:
