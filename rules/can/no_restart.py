@@ -2,7 +2,8 @@
 
 ## What it finds
 A CAN interface with a bit rate and without `restart-ms` or `RestartSec=`, in scripts, units and `.network` files, where
-nothing of the tree restarts a bus. Silent for serial adapters (slcan), which cannot be restarted so.
+nothing of the tree restarts a bus. Silent for serial adapters (slcan), which cannot be restarted so. It is an info
+where a document of the tree speaks of `restart-ms`: somebody has decided.
 
 ## Why it matters on a robot
 A loose plug, a short circuit or a controller that loses its power makes the CAN controller count errors, until it goes
@@ -38,6 +39,9 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 RESTARTS = regex(r"\brestart[-_]ms\b|\btype[ \t]+can[ \t]+restart\b|\bRestartSec=", hints="estart")
+DOCUMENT = regex(r"\.(?:md|rst|txt|adoc)$")
+MOST = 512 * 1024
+"""Bytes of a document that is read."""
 SETS = regex(r"\bip[ \t]+link[ \t]+set\b[^\n;&|]{0,100}\btype[ \t]+can\b[^\n;&|]{0,100}\bbitrate\b")
 
 
@@ -52,6 +56,7 @@ def no_restart(robot: Robot) -> Iterator[Finding]:
         "After a bus-off, this CAN bus stays off until somebody takes the interface down and up again",
         advice="add RestartSec=100ms" if first.span.source.kind == "networkd" else "add restart-ms 100",
         related=[note(other, "stays off, too") for other in others[:20]],
+        severity="info" if any(map(RESTARTS.search, robot.tree.pages(DOCUMENT, MOST))) else None,
     )
 
 
