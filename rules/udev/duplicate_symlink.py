@@ -3,7 +3,8 @@
 ## What it finds
 One link name in two rules whose matches do not exclude each other. Rules for different vendors, products,
 serial numbers or ports are alternatives and are not reported; rules for two indexes of the same camera are a warning,
-and an info where one is above 3, which few cameras have.
+and an info where one is above 3, which few cameras have. It is a warning where one rule is for a port on the board
+(`ttyTHS1`) and the other for a USB device, of which a robot may have the one or the other.
 Rules that a `GOTO` separates, or with `link_priority`, are not reported.
 
 ## Why it matters on a robot
@@ -36,9 +37,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.udev import Link
 
+ON_BOARD = regex(r"tty(?:THS|AMA|SC?|mxc|LP|PS|O)\d{1,3}", hints="tty")
 USUAL = ("0", "1", "2", "3")
 
 
@@ -49,11 +52,14 @@ def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
         for first, second in rules.same_links:
             if second.rule.judged and second not in seen:
                 seen.add(second)
+                beside = _are_board_and_usb(first, second) or _are_board_and_usb(second, first)
+                both = ": with the USB device beside that on the board," if beside else " and can match two devices:"
                 yield finding(
                     second.name,
-                    f"Two rules make {second.path} and can match two devices: the order of discovery decides which one",
+                    f"Two rules make {second.path}{both} the order of discovery decides which one",
                     advice='tell the devices apart, or give one rule OPTIONS+="link_priority="',
                     related=[note(first.name, "the other rule")],
+                    severity="warning" if beside else None,
                 )
         for first, second in rules.same_camera_links:
             if second.rule.judged and second not in seen:
@@ -66,6 +72,11 @@ def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
                     severity="warning" if _are_usual(first, second) else "info",
                     confidence="medium",
                 )
+
+
+def _are_board_and_usb(one: Link, other: Link) -> bool:
+    names = [name for each in one.rule.on("KERNEL") for name in each.patterns]
+    return any(map(ON_BOARD.fullmatch, names)) and bool(other.rule.usb_ids)
 
 
 def _are_usual(*links: Link) -> bool:

@@ -41,6 +41,8 @@ _KEYS = {
     "ATTRS": ("idVendor", "idProduct"),
     "ENV": ("ID_VENDOR_ID", "ID_MODEL_ID"),
 }
+HUB = "1d6b"
+OF_HUB = "match the ids of the device itself: 1d6b is the root hub, above every device of the computer's port"
 _NUMBER = regex(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
 
 
@@ -56,7 +58,9 @@ def idvendor_format(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 vendor.value,
                 f"idVendor {vendor.value} and idProduct {product.value} are swapped: the rule never fires",
-                advice=f'write idVendor=="{product.value}" and idProduct=="{vendor.value}"',
+                advice=OF_HUB
+                if product.value == HUB
+                else f'write idVendor=="{product.value}" and idProduct=="{vendor.value}"',
                 related=[note(product.value, "this is the number of the vendor")],
             )
 
