@@ -59,6 +59,7 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
         Purpose.ARCHIVE,
         regex(
             r"(?<!roles)(?:^|/)(?:(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy"
+            r"|old[_ -]?(?:docs?|files?|scripts?|code|programs?|versions?|configs?|setup|stuff)(?![a-z])[^/]{0,100}"
             r"|unported(?:[_-][^/]*)?)/",
             re.I,
             "old archive deprecated obsolete unused attic backup legacy unported",

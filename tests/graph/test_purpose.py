@@ -64,6 +64,7 @@ def test_a_path_is_for_the_first_pattern_that_it_matches(path: str) -> None:
         ("parser/testfiles-negative/Dockerfile", Purpose.TEST),
         ("test-install.sh", Purpose.TEST),
         ("docker_old/compose.yaml", Purpose.ARCHIVE),
+        ("Notes/OldDocs&Files/setup.sh", Purpose.ARCHIVE),
         ("deploy/robot.service.bak", Purpose.ARCHIVE),
         ("backup.service", Purpose.ROBOT),
         ("xil_yard/compose.yaml", Purpose.SIMULATION),
