@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.open_access import Offer
     from bringup_lint.graph.commands.open_access import open_access
     from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.installed.ansible.kept_off import kept_off
     from bringup_lint.graph.runners.questions.refused_writes import RefusedWrite
     from bringup_lint.graph.runners.questions.refused_writes import refused_writes
     from bringup_lint.graph.systemd.cycles import Cycle
@@ -137,6 +138,7 @@ __all__ = [
     "installed_at",
     "is_own_program",
     "is_unit_name",
+    "kept_off",
     "left_out_units",
     "lift_comment",
     "limit_line",

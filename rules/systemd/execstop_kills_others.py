@@ -2,7 +2,8 @@
 
 ## What it finds
 `pkill` or `killall` in ExecStop= or ExecStopPost= with a name that fits the processes of another unit of the same
-robot, or, in a template (`name@.service`), that of every other instance.
+robot, or, in a template (`name@.service`), that of every other instance. Silent for a template of which the tree
+enables one instance only.
 
 ## Why it matters on a robot
 `pkill` looks at all processes of the machine. To stop or restart one camera, clock or driver ends all of them, and the
@@ -45,6 +46,9 @@ from bringup_lint.api.systemd import Unit
 
 PLAIN = regex(r"[\w./@ -]{3,}")
 VALUED = ("-u", "-U", "-g", "-G", "-P", "-s", "-t", "-F")
+ROLE = regex(r"(?:[^/\n]{1,200}/){0,20}roles/[^/\n]{1,200}/", hints="roles/")
+SEVERAL = regex(r"\bitem\b|[$*]")
+"""A name that stands for one after the other."""
 STOPPING = ("ExecStop", "ExecStopPost")
 
 
@@ -79,7 +83,8 @@ def _pattern(command: Command) -> Located | None:
 def _hit(robot: Robot, unit: Unit, pattern: Located, whole: bool) -> tuple[str, list[Located]] | None:
     """Whose processes the pattern fits besides those of the unit itself."""
     own = robot.units.started(unit)
-    if unit.is_template and "%" not in pattern and any(_fits(each, pattern, whole) for each in own):
+    fits = unit.is_template and "%" not in pattern and any(_fits(each, pattern, whole) for each in own)
+    if fits and not _has_one_instance(robot, unit):
         return "the other instances", [each.program for each in own[:1]]
     for other in robot.units.services:
         if other is unit or unit.fragment is None or other.fragment is None:
@@ -90,6 +95,16 @@ def _hit(robot: Robot, unit: Unit, pattern: Located, whole: bool) -> tuple[str, 
             if _fits(process, pattern, whole) and not robot.units.conflict(unit, other):
                 return other.name, [process.program]
     return None
+
+
+def _has_one_instance(robot: Robot, unit: Unit) -> bool:
+    """Whether the scripts and plays of the tree, or those of the role that a template is in, name one instance only."""
+    role = ROLE.match(unit.where.source.name)
+    pattern = re.compile(rf"(?<![\w-]){re.escape(unit.stem)}(\{{\{{[^}}\n]{{1,80}}\}}\}}|[^\s\"']{{1,80}})")
+    sources = robot.of_kind("ansible", "shell-script")
+    texts = (each.said for each in sources if role is None or each.name.startswith(role[0]))
+    names = {name.removesuffix(".service") for text in texts for name in pattern.findall(text)} - {""}
+    return len(names) == 1 and not any(map(SEVERAL.search, names))
 
 
 def _fits(process: Process, pattern: str, whole: bool) -> bool:

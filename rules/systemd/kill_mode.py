@@ -2,7 +2,8 @@
 
 ## What it finds
 KillMode=process or KillMode=none on a service that starts ROS 2, and on one whose script of the tree leaves programs in
-the background without a trap that ends them. One-shot services and containers are exempt.
+the background without a trap that ends them, and does not end those of an earlier start by their name. One-shot
+services and containers are exempt.
 
 ## Why it matters on a robot
 systemd stops at most the main process. After a crash of ros2 launch, or when the main process is a shell, the
@@ -77,12 +78,13 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
             if mode.value == "process"
             else f"systemd stops no process of {unit.name}"
         )
-        what = "nodes that survive keep running, and a restart starts them twice"
+        what, them = ("nodes that survive keep", "them")
         if left is not None:
-            what = "what its script leaves in the background keeps running, and a restart starts it twice"
+            what, them = ("what its script leaves in the background keeps", "it")
+        again = f", and a restart starts {them} twice" if robot.units.restart(unit).restart != "no" else ""
         yield finding(
             mode.where,
-            f"KillMode={mode.value}: {stops}; {what}",
+            f"KillMode={mode.value}: {stops}; {what} running{again}",
             advice="set KillMode=mixed",
             related=[note(left, "this survives the stop")] if left is not None else [],
             fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable else None,
@@ -97,5 +99,8 @@ def _left(robot: Robot, unit: Unit) -> Iterator[Located]:
         for step in process.steps:
             command = step.command
             source = command.words[0].span.source if command.background and command.words else None
-            if source is not None and command.words[0] not in SHORT and not source.matches(TRAP):
+            if source is None or command.words[0] in SHORT or source.matches(TRAP):
+                continue
+            name = command.words[0].rpartition("/")[2]
+            if not re.search(rf"\b(?:pkill|killall)\b[^\n;&|]{{0,100}}[ \t/]{re.escape(name)}(?![\w-])", source.said):
                 yield command.words[0]

@@ -1,7 +1,8 @@
 """An assignment above the first section header: systemd ignores it.
 
 ## What it finds
-A setting above the first section header of a unit file.
+A line above the first section header of a unit file: a warning for a setting, and an info for any other text, such as
+the name of the unit, which systemd ignores as well.
 
 ## Why it matters on a robot
 The setting has no effect, and only a message in the journal says so.
@@ -41,8 +42,10 @@ from bringup_lint.api import rule
 def line_outside_section(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.units.problems("line-outside-section"):
         if not file.source.template:
+            is_setting = "=" in str(problem.where)
             yield finding(
                 problem.where,
                 "Text before the first [Section]: systemd ignores this line",
-                advice="move it below the header of its section",
+                advice="move it below the header of its section" if is_setting else "remove it, or begin it with #",
+                severity=None if is_setting else "info",
             )

@@ -3,8 +3,8 @@
 ## What it finds
 A service that runs ROS 2, or whose environment configures DDS, and that is ordered after `network.target` (or
 the network daemon) but not after `network-online.target`, either directly or through another unit. Exempt are
-services of the user manager, services with a command that waits for the network, and services limited to the
-local machine.
+services of the user manager, services with a command that waits for the network, services limited to the local
+machine, and those that only ask (`ros2 topic list`), because each question looks at the interfaces anew.
 
 A service of a ROS 2 tree whose script is not in the tree is reported with medium confidence.
 

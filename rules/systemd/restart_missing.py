@@ -7,7 +7,8 @@ running: it is not Type=oneshot or Type=forking, no timer or path unit starts it
 its name, and it runs more than a command-line tool such as ros2 topic. It is an info in three cases:
 
 - Restart=no is set explicitly, which is a decision;
-- scripts or plays install the service and nothing enables it: somebody starts it, and is there;
+- scripts or plays install the service and nothing enables it, or a play disables it (`enabled: false`): somebody starts
+  it, and is there;
 - the start script of the service is not in the tree.
 
 Any service with Restart=no and RestartSec= in one file, without RestartForceExitStatus=, is a warning: one of the two
@@ -57,12 +58,13 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
+from bringup_lint.api.systemd import kept_off
 from bringup_lint.api.systemd import never_enabled_units
 from bringup_lint.api.systemd import only_connects
 
 TOOLS = "cli"
 INSTALLING = ("shell-script", "ansible", "cloud-init")
-OF_ROS = " (ros2 launch often exits with status 0)"
+OF_LAUNCH = " (ros2 launch often exits with status 0)"
 SETS_UP = regex(
     r"set-?up|init|conf|once|boot|load|prepar|fix|updat|install|reset|clean|bind|mount|sync|generat|creat|enabl|check"
     r"|start-?up|provision|resize|expand|migrat|restore|permission|governor|-up$",
@@ -91,12 +93,12 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
             continue
         if by_hand is None:
-            by_hand = list(never_enabled_units(robot.files, units)) if robot.of_kind(*INSTALLING) else []
+            by_hand = list(_started_by_hand(robot)) if robot.of_kind(*INSTALLING) else []
         chosen, sure = policy.restart_at is not None, unit not in units.presumed_ros and unit not in daemons
         yield finding(
             policy.restart_at or unit.where,
             f"When the process of {unit.name} exits, nothing restarts it",
-            advice=f"set Restart=always{OF_ROS if unit in ros and unit not in units.ros1 else ''} and a start limit",
+            advice=f"set Restart=always{OF_LAUNCH if units.launches(unit) else ''} and a start limit",
             related=[note(process.line, "this process") for process in units.started(unit)[:1]],
             fix=_restart(unit) if unit.editable and not chosen else None,
             severity="info"
@@ -104,6 +106,12 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
             else "warning",
             confidence="high" if sure else "medium",
         )
+
+
+def _started_by_hand(robot: Robot) -> Iterator[Unit]:
+    off = kept_off(robot.files)
+    yield from never_enabled_units(robot.files, robot.units)
+    yield from (unit for unit in robot.units.services if unit.stem in off)
 
 
 def _waits(units: Units, unit: Unit) -> bool:

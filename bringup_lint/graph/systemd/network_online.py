@@ -27,6 +27,8 @@ _AGAIN = regex(r"\b(?:until|while|for|sleep|timeout|exit)\b")
 """What a script does that asks for addresses until there are some."""
 _INSTALLED = regex(r"/lib/[\w-]{1,80}/([\w.-]{1,80}\.(?:ba)?sh)\b")
 """A script of a package where colcon installs it, whose prefix is computed."""
+_QUESTIONS = frozenset({"list", "info", "find", "type", "get", "show"})
+"""Verbs of ros2 topic, node, service and others, which end by themselves."""
 
 
 class TooEarly(NamedTuple):
@@ -57,8 +59,17 @@ def too_early(units: Units) -> Iterator[TooEarly]:
         named = next((found for key in ("After", "Wants", "Requires") for found in unit.naming(key, *_EARLY)), None)
         if named is None or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
             continue
-        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not waits_itself(unit, units):
+        if units.waits_for(unit, ONLINE) or units.stays_local(unit) or _only_asks(unit, units):
+            continue
+        if not waits_itself(unit, units):
             yield TooEarly(unit, *named, presumed=unit not in units.dds, planned=unit in units.planned_ros)
+
+
+def _only_asks(unit: Unit, units: Units) -> bool:
+    """Whether all that a unit starts of ROS are questions of ros2, each of which is asked anew: the daemon that answers
+    begins again when an interface changes."""
+    found = [ros for process in units.started(unit) for _, ros in process.ros]
+    return bool(found) and all(ros.kind == "cli" and not _QUESTIONS.isdisjoint(ros.command.words) for ros in found)
 
 
 def waits_itself(unit: Unit, units: Units) -> bool:
