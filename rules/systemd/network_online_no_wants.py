@@ -52,14 +52,13 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
                 continue
             if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE) or waits_itself(unit, units):
                 continue
-            advice = f"add Wants={ONLINE}, or remove this After= where nothing needs the network"
-            if unit not in units.dds:
-                advice = f"remove this After=, or add Wants={ONLINE} where its start needs an address"
+            needed = f"add Wants={ONLINE}, or remove this After= where nothing needs the network"
+            needless = f"remove this After=, or add Wants={ONLINE} where its start needs an address"
             yield finding(
                 word,
                 f"Nothing pulls in {ONLINE}, so this After= has no effect: {unit.name} starts without waiting for the "
                 "network",
-                advice=advice,
+                advice=needed if unit in units.dds else needless,
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )
             break
