@@ -96,7 +96,7 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
             _message(crash),
             advice=_advice(crash),
             related=[*_settings(crash), *also],
-            fix=_limit(crash) if crash.unit.editable else None,
+            fix=_limit([each for each in (crash, *others) if each.unit.editable]),
             severity="warning" if crash.loop.is_unwanted else "info",
             confidence="high" if crash.policy.never_trips else "medium",
         )
@@ -158,7 +158,8 @@ def _settings(crash: CrashLoop) -> list[Related]:
     return [note(at, text) for at, text in lines if at is not None and at is not crash.cause]
 
 
-def _limit(crash: CrashLoop) -> Fix | None:
-    limit = sufficient_limit(crash.policy)
-    edits = list(limit.edits(crash.unit, crash.policy))
-    return fix(f"allow {limit.burst} starts in {limit.interval} s", *edits, safe=False) if edits else None
+def _limit(crashes: list[CrashLoop]) -> Fix | None:
+    limits = [(sufficient_limit(each.policy), each) for each in crashes]
+    edits = [edit for limit, each in limits for edit in limit.edits(each.unit, each.policy)]
+    shown = ", ".join(dict.fromkeys(f"{limit.burst} starts in {limit.interval} s" for limit, _ in limits))
+    return fix(f"allow {shown}", *edits, safe=False) if edits else None
