@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.unrun_checks import unrun_checks
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
     from bringup_lint.graph.nodes.questions.cpp.component_ends import ended_containers
+    from bringup_lint.graph.nodes.questions.cpp.empty_queues import is_never_filled
     from bringup_lint.graph.nodes.questions.cpp.in_file import blind_waits
     from bringup_lint.graph.nodes.questions.cpp.in_file import cut_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import early_members
@@ -241,6 +242,7 @@ __all__ = [
     "is_called_nowhere",
     "is_checked",
     "is_known_unread",
+    "is_never_filled",
     "is_remote",
     "is_stopped",
     "is_tool",

@@ -135,6 +135,8 @@ class ThreadThrow(NamedTuple):
     started: Span
     function: str
     """What throws."""
+    queue: str
+    """The container without whose elements the thread does not start; empty where there is none."""
 
 
 class ShutContext(NamedTuple):

@@ -3,7 +3,8 @@
 ## What it finds
 In C++, a `throw` in the function that a `std::thread` runs, or in a function of the file that it calls, when no `try`
 takes it, and what failed is an answer of the system, a device or another node: a socket, a file, a future, a transform,
-or what a handler passes on.
+or what a handler passes on. It is an info where the thread starts only `if (!queue.empty())`, and nothing of the
+package fills the queue.
 
 ## Why it matters on a robot
 No caller can take what leaves the function of a thread: C++ calls `std::terminate`. Where the same exception in
@@ -36,6 +37,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -44,10 +46,11 @@ from bringup_lint.api import rule
 def thread_throws(robot: Robot) -> Iterator[Finding]:
     for driver in robot.nodes.drivers:
         for found in driver.thread_throws:
+            idle = found.queue and nodes.is_never_filled(robot.nodes, driver.source, found.queue)
             yield finding(
                 found.thrown,
                 f"No handler can take what {found.function} throws here, in a thread of its own: the process aborts",
                 advice="do it before the thread starts, or catch it in the thread, log it and call rclcpp::shutdown()",
                 related=[note(found.started, "starts the thread")],
-                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+                severity="info" if idle else robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )

@@ -25,6 +25,13 @@ STARTS = regex(
 ENDS = regex(r"\bthrow\s{1,4}[\w:]", hints="throw")
 DEPTH = 3
 """Calls of functions of the file that are followed."""
+_NEAR = 300
+"""Characters before the start of a thread that are looked at."""
+_IF_FILLED = regex(
+    r"\bif\s{0,4}\(\s{0,4}!\s{0,4}(?P<name>\w{1,80})\s{0,4}\.\s{0,4}empty\s{0,4}\(\s{0,4}\)\s{0,4}\)\s{0,40}\{?\s{0,80}"
+    r"(?:std::thread\s{1,4})?(?:\w{1,80}\s{0,4}=\s{0,40})?\Z",
+    hints="empty",
+)
 _METHOD = regex(r"\s{0,40}(?:std::bind\s{0,4}\(\s{0,40})?&\s{0,4}(?P<scope>(?:\w+::){0,6})(?P<name>\w+)\s{0,4}[,)}]")
 _LAMBDA = regex(r"\s{0,40}\[")
 _ASKS_SYSTEM = regex(
@@ -46,7 +53,15 @@ def thread_throws(code: Code) -> Iterator[ThreadThrow]:
         body = _run(code, bodies, lambdas, found.end())
         place = thrown.by(body, DEPTH) if body is not None else None
         if place is not None:
-            yield ThreadThrow(code.span(place[0]), code.source.span(found.start(), found.end() - 1), place[1])
+            started = code.source.span(found.start(), found.end() - 1)
+            yield ThreadThrow(code.span(place[0]), started, place[1], _queue(code, found.start()))
+
+
+def _queue(code: Code, start: int) -> str:
+    """The container in the condition of the branch that a thread is the first of."""
+    before = plain_of(code.source)[max(0, start - _NEAR) : start]
+    found = _IF_FILLED.search(before)
+    return found["name"] if found is not None else ""
 
 
 def _throws(code: Code) -> dict[int, list[Node]]:
