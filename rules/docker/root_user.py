@@ -162,11 +162,11 @@ def _finding(image: AsRoot, *others: AsRoot) -> Finding:
 
 def _advice(image: AsRoot) -> str:
     """How the container does without root: what it still needs then has to be open to the user."""
-    groups = ", in the groups of its devices (group_add: [dialout])" if image.far else ""
+    groups = " in the groups of its devices (group_add: [dialout])" if image.far else ""
     steps = (each for stage in image.stage.chain for each in stage.instructions)
     in_home = any(HOME_OF_ROOT.search(each.value) for each in steps)
-    moved = ", move what it runs and reads out of /root, which only root may enter," if in_home else ""
-    return f"create an unprivileged user{groups}{moved} and end the file with USER"
+    moved = ", move what it runs and reads out of /root, which only root may enter" if in_home else ""
+    return f"create an unprivileged user{groups}{moved}, and end the file with USER"
 
 
 def _only_builds(service: Service) -> bool:

@@ -255,7 +255,7 @@ def _refused(run: Run) -> tuple[Located, str, str] | None:
         signal = next((word for word in words if SIGNAL.fullmatch(word)), None)
         if signal is not None:
             kills_jobs = any(map(JOB.search, words))
-            advice = f"{begin}: it cannot kill a job of a script by %1 either" if kills_jobs else ""
+            advice = f"{begin}: in a script, dash cannot kill a job by %1 either" if kills_jobs else ""
             return signal, f"knows no {signal.lstrip('-')}: {FAILS}", advice or f"write {signal.replace('SIG', '')}"
     if name == "trap":
         pseudo = next((word for word in words[1:] if word in PSEUDO), None)
