@@ -6,7 +6,7 @@ tree all of whose packages are built with ament, in which no file names a distri
 any tree, in scripts and units that set up ROS 2 themselves and do not speak of ROS 1. Silent
 where the message is thrown away or the failure is handled, and where the script has an alias or a function of this
 name. A warning where nothing else of the tree names any of the scripts, and info where none of these sets up ROS 2
-either: they are left from ROS 1.
+or names a package of the tree either: they are left from ROS 1.
 
 ## Why it matters on a robot
 No distribution of ROS 2 has these commands: "command not found". What the script was to start does not run.
@@ -81,15 +81,22 @@ def ros1_command(robot: Robot) -> Iterator[Finding]:
             f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
             advice=_advice(first.name),
             related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
-            severity=_severity(robot, [source for source, _ in found]),
+            severity=_severity(robot, found),
         )
     yield from _in_units(robot)
 
 
-def _severity(robot: Robot, scripts: list[Source]) -> str | None:
-    if any(map(robot.scripts.is_named, scripts)):
+def _severity(robot: Robot, found: dict[tuple[Source, str], Run]) -> str | None:
+    if any(robot.scripts.is_named(source) for source, _ in found):
         return None
-    return "warning" if any(map(_sets_up_ros2, scripts)) else "info"
+    is_own = any(_sets_up_ros2(source) or _is_for_tree(robot, run) for (source, _), run in found.items())
+    return "warning" if is_own else "info"
+
+
+def _is_for_tree(robot: Robot, run: Run) -> bool:
+    """Whether a command builds the workspace, or names a package of it."""
+    package = next((word for word in run.words[1:] if not word.startswith("-")), "")
+    return run.name == "catkin_make" or package in robot.launch.workspace.packages
 
 
 def _in_units(robot: Robot) -> Iterator[Finding]:
