@@ -88,8 +88,8 @@ def _is_set_otherwise(robot: Robot, service: Service, name: str) -> bool:
     if compose.extends_elsewhere(service) or any(name in text for text in service.scripts):
         return True
     stage = compose.stage(service)
-    steps = (step for each in (stage.chain if stage is not None else ()) for step in each.instructions)
-    if any(name in text for step in steps for text in (step.value, *step.heredocs)):
+    stages = stage.chain if stage is not None else ()
+    if any(name in text for each in stages for step in each.instructions for text in (step.value, *step.heredocs)):
         return True
     paths = (volume.source for volume in service.volumes if volume.source is not None)
     mounted = (robot.tree.beside(service.source, path) for path in paths if path.startswith("."))
