@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from bringup_lint.graph.files import Files
-from bringup_lint.model.yaml_node import Mapping
-from bringup_lint.parsers.ansible_tasks import tasks
 from bringup_lint.source import Source
 
 _MODULES = frozenset({"service", "systemd", "systemd_service"})
@@ -19,6 +17,9 @@ def kept_off(files: Files) -> frozenset[str]:
 
 
 def _said(source: Source) -> Iterator[tuple[str, bool]]:
+    from bringup_lint.model.yaml_node import Mapping
+    from bringup_lint.parsers.ansible_tasks import tasks
+
     for task in tasks(source):
         for module in task.modules:
             settings = module.settings
