@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.open_access import open_access
     from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.installed.ansible.kept_off import kept_off
+    from bringup_lint.graph.installed.named_instances import named_instances
     from bringup_lint.graph.runners.questions.refused_writes import RefusedWrite
     from bringup_lint.graph.runners.questions.refused_writes import refused_writes
     from bringup_lint.graph.systemd.cycles import Cycle
@@ -148,6 +149,7 @@ __all__ = [
     "missing_limits",
     "misspelt_trigger",
     "move_lines",
+    "named_instances",
     "needless_root",
     "never_enabled_units",
     "only_connects",

@@ -158,7 +158,7 @@ def _leads_to(robot: Robot, start: str, end: str, advised: dict[str, set[str]]) 
             return True
         own = packages.get(name)
         depends = (str(each) for _, each in own.manifest.depends) if own is not None else ()
-        new = {*depends, *advised.get(name, ())} & packages.keys() - seen
+        new = ({*depends, *advised.get(name, ())} & packages.keys()) - seen
         seen |= new
         todo += new
     return False

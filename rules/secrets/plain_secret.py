@@ -102,10 +102,13 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
     for secret in robot.secrets:
         key = str(secret.value.span.start) if secret.weak or secret.sample else str(secret.value)
         found.setdefault((secret.value.span.source, key), []).append(secret)
+    asks: bool | None = None
     for secrets in found.values():
         first, *others = sorted(secrets, key=lambda each: _is_commented(each.value))
         weak, default = first.weak or _is_of_product(first), _is_default_of_role(first)
-        replaced = weak and _is_replaced(robot, first)
+        is_first = weak and INITIAL.match(first.name) is not None
+        if is_first and asks is None:
+            asks = any(map(ASKS.search, robot.tree.pages(PROGRAM, MOST)))
         source = first.value.span.source
         who = WHO[first.holder]
         if first.holder == "env-file" and source.mode is not None:
@@ -123,7 +126,7 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
             message,
             advice=advice,
             related=[note(each.value, "the same secret") for each in others],
-            severity="info" if first.sample or replaced else "warning" if lowered else None,
+            severity="info" if first.sample or (is_first and asks) else "warning" if lowered else None,
             secrets=[each.value for each in (first, *others)],
         )
 
@@ -142,11 +145,6 @@ def _is_commented(value: Located) -> bool:
 def _is_default_of_role(secret: Secret) -> bool:
     """Whether a password is what an Ansible role takes where nobody sets it."""
     return DEFAULTS.search(secret.value.span.source.name) is not None and PASSWORD.search(secret.name) is not None
-
-
-def _is_replaced(robot: Robot, secret: Secret) -> bool:
-    """Whether a password is for the first login only, and a program of the tree then asks for another."""
-    return INITIAL.match(secret.name) is not None and any(map(ASKS.search, robot.tree.pages(PROGRAM, MOST)))
 
 
 def _is_of_product(secret: Secret) -> bool:

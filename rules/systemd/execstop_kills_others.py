@@ -43,6 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Command
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import named_instances
 
 PLAIN = regex(r"[\w./@ -]{3,}")
 VALUED = ("-u", "-U", "-g", "-G", "-P", "-s", "-t", "-F")
@@ -100,10 +101,8 @@ def _hit(robot: Robot, unit: Unit, pattern: Located, whole: bool) -> tuple[str, 
 def _has_one_instance(robot: Robot, unit: Unit) -> bool:
     """Whether the scripts and plays of the tree, or those of the role that a template is in, name one instance only."""
     role = ROLE.match(unit.where.source.name)
-    pattern = re.compile(rf"(?<![\w-]){re.escape(unit.stem)}(\{{\{{[^}}\n]{{1,80}}\}}\}}|[^\s\"']{{1,80}})")
-    sources = robot.of_kind("ansible", "shell-script")
-    texts = (each.said for each in sources if role is None or each.name.startswith(role[0]))
-    names = {name.removesuffix(".service") for text in texts for name in pattern.findall(text)} - {""}
+    named = named_instances(robot.files).get(unit.stem, ())
+    names = {each.name for each in named if role is None or each.source.name.startswith(role[0])}
     return len(names) == 1 and not any(map(SEVERAL.search, names))
 
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import kept
+from bringup_lint.graph.memo import memo
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -25,6 +27,9 @@ _REGISTERED = regex(
 )
 _OTHERS = regex(r"^[^/\n]{0,200}REGISTER_(?:NODE|CLASS)\w{0,20}[ \t]{0,8}\(", re.M, "REGISTER_")
 """These, and macros that make or use the macro."""
+_MADE = regex(
+    r"\bmake_(?:shared|unique)\s{0,8}<\s{0,8}(?:\w{1,80}::){0,8}(\w{1,80})\s{0,8}>", hints="make_shared make_unique"
+)
 
 
 class Unregistered(NamedTuple):
@@ -45,12 +50,13 @@ def unregistered(files: Files, launch: Launch, package: Package) -> Iterator[Unr
     if not package.complete or not package.plugins:
         return
     found = _registered(files, package)
+    loaded = _loaded(launch, package) if found else frozenset()
     for plugin in package.plugins:
         if not found or "$" in plugin or str(plugin) in found:
             continue
         same = [each for name, each in found.items() if _class(name) == _class(plugin)]
         meant = (same or [*found.values()])[0]
-        is_spare = not _is_loaded(launch, package, plugin) and _is_made(files, package, meant)
+        is_spare = plugin not in loaded and _class(meant) in _made(files, package)
         yield Unregistered(plugin, meant, len(same) == 1, is_spare=is_spare)
     yield from _doubled(package, found)
 
@@ -74,19 +80,23 @@ def _is_built(package: Package, registered: Located) -> bool:
     return any(registered.span.source.basename in each or "GLOB" in each for each in texts)
 
 
-def _is_loaded(launch: Launch, package: Package, name: str) -> bool:
-    """Whether an executable of the build or a launch file loads a component."""
-    if any(name == each for build in package.builds for each in build.main_plugins.values()):
-        return True
-    return any(literal_text(node.plugin) == name for node in launch.nodes)
+def _loaded(launch: Launch, package: Package) -> frozenset[str]:
+    """The components that an executable of the build or a launch file loads."""
+    by_programs = (str(each) for build in package.builds for each in build.main_plugins.values())
+    return frozenset(by_programs) | _launched(launch)
 
 
-def _is_made(files: Files, package: Package, registered: str) -> bool:
-    """Whether a source of a package makes an object of a class by itself."""
-    made = re.compile(rf"\bmake_(?:shared|unique)\s*<\s*(?:\w+::)*{re.escape(_class(registered))}\s*>")
+@kept
+def _launched(launch: Launch) -> frozenset[str]:
+    return frozenset(str(literal_text(node.plugin)) for node in launch.nodes if node.plugin is not None)
+
+
+@memo
+def _made(files: Files, package: Package) -> frozenset[str]:
+    """The classes, without their namespaces, of which the sources of a package make objects by themselves."""
     below = (path for path in files.tree.walked_below(package.folder) if path.endswith(CPP))
     sources = (files.tree.read(path, judged=False) for path in below)
-    return any(made.search(source.text) for source in sources if source is not None)
+    return frozenset(name for source in sources if source is not None for name in _MADE.findall(source.text))
 
 
 def _registered(files: Files, package: Package) -> dict[str, Located]:

@@ -40,7 +40,7 @@ _NAMING = regex(
     r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
 )
 """Files that may run a script, or tell people to."""
-_NAME = regex(r"[\w.][\w.+-]*\w")
+_NAME = regex(r"(?<![\w.+-])[\w.][\w.+-]*\w")
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 

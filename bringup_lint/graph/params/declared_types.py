@@ -6,11 +6,13 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.memo import memo
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.params.values import Item
+    from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
 
 
@@ -60,8 +62,10 @@ def is_never_read(params: Params, parameter: Parameter) -> bool:
 
 def _is_unnamed(params: Params, parameter: Parameter) -> bool:
     """Whether sources of the tree name nearly all values of a block, and not this one."""
-    if params.is_named_in_code(str(parameter.name)):
-        return False
-    beside = parameter.block.parameters
-    named = sum(params.is_named_in_code(str(each.name)) for each in beside)
-    return named >= max(_SURE, _MOST * len(beside))
+    return not params.is_named_in_code(str(parameter.name)) and _is_mostly_named(params, parameter.block)
+
+
+@memo
+def _is_mostly_named(params: Params, block: Block) -> bool:
+    named = sum(params.is_named_in_code(str(each.name)) for each in block.parameters)
+    return named >= max(_SURE, _MOST * len(block.parameters))
