@@ -5,7 +5,7 @@ A `return` in the constructor of a node, after an error is logged, at which the 
 a service yet. Silent where only an argument of a Python constructor decides, where the branch shuts down, throws, exits
 or sets something that others ask for, and where anything that may run later was made before. Info for a component that
 launch files load into a container, and where the value of a parameter alone decides: with a wrong value the next start
-would end in the same way.
+would end in the same way. What a function makes of a parameter, as a device that it opens, is none.
 
 ## Why it matters on a robot
 The device was not there yet, or a file is missing: the node logs one line and stays. `spin()` waits for callbacks that

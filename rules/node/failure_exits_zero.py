@@ -4,9 +4,9 @@
 A `try` of `main` around a spin whose handler of `std::exception`, `std::runtime_error`, `...` or `Exception` only
 reports, where `main` returns nothing but 0 and the source has no other way to end with a status. In C++ also a loop
 `while (started && rclcpp::ok())` that is left out after `main` has logged the failure. It is a warning where a unit, a
-container or a program of supervisord is this node alone (`ros2 run`) and is started again only after a failure, or has
-an `OnFailure=`. It is an info elsewhere: `ros2 launch` and its `respawn` do not look at the status. The programs of a
-package are one finding.
+container or a program of supervisord is this node alone (by `ros2 run` or its path, others only in the background) and
+is started again only after a failure, or has an `OnFailure=`. It is an info elsewhere: `ros2 launch` and its `respawn`
+do not look at the status. The programs of a package are one finding.
 
 ## Why it matters on a robot
 What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure`,

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.commands.ros_command import ros_command
 from bringup_lint.graph.memo import kept
 from bringup_lint.graph.memo import memo
+from bringup_lint.graph.nodes.sources.started_programs import program_path
 from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.runners.runner import SUPERVISING
 from bringup_lint.graph.runners.runner import RunnerKind
@@ -15,6 +18,7 @@ from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.finding import Related
+    from bringup_lint.graph.commands.command_line import Step
     from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.runners.runner import Runner
@@ -70,15 +74,41 @@ def _watched(nodes: Nodes) -> dict[str, Runner]:
     """Path of a source -> the runner that looks at its status."""
     found: dict[str, Runner] = {}
     for runner in nodes.runners().all:
-        starts = runner.starts if runner.asks_status else []
-        if len(starts) == 1 and starts[0].ros.kind == "run":
-            found.update((path, runner) for path in _sources(nodes, starts[0].ros))
+        steps = list(_lasting(runner)) if runner.asks_status else []
+        ahead = [each for each in steps if not each.command.background] or steps
+        if len(ahead) == 1:
+            found.update((path, runner) for path in _sources(nodes, runner, ahead[0]))
     return found
 
 
-def _sources(nodes: Nodes, ros: Ros) -> list[str]:
+def _lasting(runner: Runner) -> Iterator[Step]:
+    """The steps of a runner that start a program of ROS, or one of the tree in Python."""
+    for line in runner.main:
+        started = {id(step) for step, _ in line.ros}
+        yield from (each for each in line.steps if id(each) in started or _script(runner, each) is not None)
+
+
+def _script(runner: Runner, step: Step) -> Source | None:
+    """What a step starts of the tree by its path."""
+    path = program_path(step.command)
+    if path is None or not path.endswith(".py") or "$" in path:
+        return None
+    return runner.reads(path)
+
+
+def _sources(nodes: Nodes, runner: Runner, step: Step) -> list[str]:
+    """The paths of the sources of the program that a step starts; none for a launch file."""
+    ros = ros_command(step.command)
+    if ros is not None and ros.kind == "run":
+        return _sources_of(nodes, str(ros.package), str(ros.target))
+    if ros is not None:
+        return _sources_of(nodes, *str(ros.target).split("/")[-2:]) if ros.kind == "node" else []
+    script = _script(runner, step)
+    return [script.absolute] if script is not None else []
+
+
+def _sources_of(nodes: Nodes, package: str, name: str) -> list[str]:
     """The paths of the sources of a program, in Python or in C++."""
-    package, name = str(ros.package), str(ros.target)
     program = nodes.program(package, name)
     if program is not None:
         return [program.file.source.absolute]

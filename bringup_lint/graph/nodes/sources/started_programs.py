@@ -14,6 +14,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.model.shell import Command
 
 _PYTHON = regex(r"python[0-9.]*$")
 
@@ -28,13 +29,14 @@ def _paths(runners: Runners) -> Iterator[Located]:
     for runner in runners.all:
         for line in runner.lines:
             for step in line.steps:
-                path = _path(unwrapped(step.command.words))
+                path = program_path(step.command)
                 if path is not None and path.endswith(".py") and "$" not in path:
                     yield path
 
 
-def _path(words: tuple[Located, ...]) -> Located | None:
-    """The first of the words, or what Python is given to run."""
+def program_path(command: Command) -> Located | None:
+    """What a command starts, or what it gives to Python to run."""
+    words = unwrapped(command.words)
     if words and _PYTHON.match(program_name(words[0])):
         return next((word for word in words[1:] if not word.startswith("-")), None)
     return words[0] if words else None

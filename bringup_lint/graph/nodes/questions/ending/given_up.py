@@ -70,14 +70,26 @@ def _given(made: FunctionNode) -> frozenset[str]:
 
 
 def _of_parameters(made: FunctionNode) -> frozenset[str]:
-    """The variables and attributes that get the value of a parameter."""
+    """The variables and attributes that get the value of a parameter as it is, and nothing else."""
     found: set[str] = set()
+    others: set[str] = set()
     for each in own(made.body):
-        if isinstance(each, ast.Assign) and any(
-            isinstance(part, ast.Call) and called_name(part) in _PARAMETERS for part in walk(each.value)
-        ):
-            found.update(name for target in each.targets for name in _names(target))
-    return frozenset(found)
+        if isinstance(each, ast.Assign):
+            kept = found if _is_read(each.value) else others
+            kept.update(name for target in each.targets for name in _names(target))
+    return frozenset(found - others)
+
+
+def _is_read(value: ast.expr) -> bool:
+    """Whether an expression is the value of a parameter, and not what a function makes of it."""
+    while not (isinstance(value, ast.Call) and called_name(value) in _PARAMETERS):
+        if isinstance(value, ast.Attribute):
+            value = value.value
+        elif isinstance(value, ast.Call) and not value.args and isinstance(value.func, ast.Attribute):
+            value = value.func
+        else:
+            return False
+    return is_own(value.func)
 
 
 def _names(test: ast.expr) -> set[str]:
