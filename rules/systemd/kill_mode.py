@@ -2,8 +2,8 @@
 
 ## What it finds
 KillMode=process or KillMode=none on a service that starts ROS 2, and on one whose script of the tree leaves programs in
-the background without a trap that ends them, and does not end those of an earlier start by their name. One-shot
-services and containers are exempt.
+the background without a trap that ends them. One-shot services and containers are exempt. That a restart starts them
+twice is not said where the script first ends those of an earlier start by their name, which they outlive until then.
 
 ## Why it matters on a robot
 systemd stops at most the main process. After a crash of ros2 launch, or when the main process is a shell, the
@@ -36,13 +36,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Command
 from bringup_lint.api.systemd import Unit
 
 TRAP = regex(
@@ -81,26 +81,34 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
         what, them = ("nodes that survive keep", "them")
         if left is not None:
             what, them = ("what its script leaves in the background keeps", "it")
-        again = f", and a restart starts {them} twice" if robot.units.restart(unit).restart != "no" else ""
+        is_doubled = robot.units.restart(unit).restart != "no" and not (left and _ends_earlier(left))
+        again = f", and a restart starts {them} twice" if is_doubled else ""
         yield finding(
             mode.where,
             f"KillMode={mode.value}: {stops}; {what} running{again}",
             advice="set KillMode=mixed",
-            related=[note(left, "this survives the stop")] if left is not None else [],
+            related=[note(left.words[0], "this survives the stop")] if left is not None else [],
             fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable else None,
         )
 
 
-def _left(robot: Robot, unit: Unit) -> Iterator[Located]:
-    """What the scripts of a unit leave in the background, where no other command of the unit may end it."""
+def _left(robot: Robot, unit: Unit) -> Iterator[Command]:
+    """What the scripts of a unit leave in the background, where no other command of the unit may end it; first what
+    they do not end before they start it."""
     if unit.get("Type") == "forking" or unit.get("ExecStop") or unit.get("ExecStopPost"):
         return
-    for process in robot.units.processes(unit):
-        for step in process.steps:
-            command = step.command
-            source = command.words[0].span.source if command.background and command.words else None
-            if source is None or command.words[0] in SHORT or source.matches(TRAP):
-                continue
-            name = command.words[0].rpartition("/")[2]
-            if not re.search(rf"\b(?:pkill|killall)\b[^\n;&|]{{0,100}}[ \t/]{re.escape(name)}(?![\w-])", source.said):
-                yield command.words[0]
+    left = [step.command for process in robot.units.processes(unit) for step in process.steps if _stays(step.command)]
+    yield from sorted(left, key=_ends_earlier)
+
+
+def _stays(command: Command) -> bool:
+    is_left = command.background and bool(command.words) and command.words[0] not in SHORT
+    return is_left and not command.words[0].span.source.matches(TRAP)
+
+
+def _ends_earlier(command: Command) -> bool:
+    """Whether the script of a command first ends the program of an earlier start by its name."""
+    names = "|".join(re.escape(word.rpartition("/")[2]) for word in command.words[:2])
+    start = command.words[0].span.start
+    ends = re.compile(rf"\b(?:pkill|killall)\b[^\n;&|]{{0,100}}[ \t/\"'](?:{names})(?![\w-])")
+    return ends.search(command.words[0].span.source.said, 0, start) is not None
