@@ -37,7 +37,9 @@ _HANDLES = regex(
 _ENTERS = regex(r"\b(?:on_|arch-)?chroot\b|\bsystemd-nspawn\b|\bvirt-customize\b|\bqemu-\w{1,20}-static\b")
 """What a script says that runs commands in the system of an image."""
 _NAMING = regex(
-    r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
+    r"(?:\.(?:md|rst|txt|adoc|sh|bash|py|ya?ml|xml|toml|cfg|ini|conf|service|timer|path|socket|desktop|rules|launch|j2|in)"
+    r"|(?:^|[/.])(?:rc\.local|crontab|xinitrc|xsession|xprofile|xstartup|autostart|bashrc|bash_aliases|bash_profile|profile)"
+    r"|(?:package|tasks|devcontainer)\.json|(?:Make|Docker|Container|[jJ]ust|Proc)file[^/]*)$"
 )
 """Files that may run a script, or tell people to."""
 _NAME = regex(r"(?<![\w.+-])[\w.][\w.+-]*\w")
@@ -138,7 +140,8 @@ class Scripts:
         """Name of a script -> the files that may run it, or tell people to, and name it."""
         tree, names = self.files.tree, {source.basename for source in self.files.of_kind(*KINDS)}
         found: dict[str, set[str]] = {}
-        for path in tree.like(_NAMING):
+        starters = (source.absolute for source in self.files.of_kind(*STARTING))
+        for path in dict.fromkeys((*tree.like(_NAMING), *starters)):
             for name in names.intersection(_NAME.findall(tree.head(path, SIZE))):
                 found.setdefault(name, set()).add(path)
         return found
