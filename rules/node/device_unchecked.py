@@ -5,8 +5,8 @@ In C++ sources of nodes and drivers, the result of functions that open a device 
 `gpiod_chip_get_line`, `hid_open`, `fopen`, `opendir`; `open`, `wiringPiI2CSetup`, `serialOpen`, `lgGpiochipOpen`,
 `pigpio_start`), kept under a name that the file uses, and neither compares nor returns anywhere. Where the failure is a
 negative number, calls whose own result is asked for count as a check. It is an info where each use is in a branch that
-a flag decides about, as for a log of a debugging mode. Also a serial port of LibSerial or `serial` that is opened in a
-`try`, whose handler only logs, and that is set up or used below in each case.
+a flag for debugging, logs, records or tests decides about, by its name. Also a serial port of LibSerial or `serial`
+that is opened in a `try`, whose handler only logs, and that is set up or used below in each case.
 
 ## Why it matters on a robot
 The device is not there, belongs to another group, or is busy: the usual first start on a new robot. With NULL the next

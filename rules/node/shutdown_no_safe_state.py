@@ -7,9 +7,9 @@ program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` w
 and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing,
 in Python or C++. Of C++, programs that only spin the node, without a destructor or a callback for the shutdown.
 The finding is info when the tree has a mux, smoother or controller with its own timeout, or firmware that looks at the
-time, when MoveIt Servo receives
-the topic and has an `incoming_command_timeout`, when the node only relays
-commands, when a relay with a timer in the tree receives the topic, and when it is a lifecycle node.
+time, when MoveIt Servo receives the topic and has an `incoming_command_timeout`, when the node only relays commands,
+when a relay with a timer in the tree receives the topic, or a node in Python that keeps the time of the last command
+and compares it, and when it is a lifecycle node.
 
 ## Why it matters on a robot
 A motor controller that gets no message keeps the last one. When the unit is stopped or the node crashes, the robot

@@ -38,7 +38,11 @@ OPENS = regex(
     rf"\b(?:{'|'.join(sorted(_POINTERS | _NUMBERS))})\s{{0,4}}\(", hints="gpio open Open I2CSetup SPISetup pigpio_start"
 )
 _NAME = regex(r"[*&\s]{0,8}(?:this->)?([A-Za-z_]\w{0,80})\Z")
-_FLAG = regex(r"\(\s{0,8}\w{1,80}\s{0,8}\)\Z")
+_FLAG = regex(
+    r"\(\s{0,8}\w{0,80}?(?:(?<![A-Za-z])(?:[Dd]ebug|[Ll]og|[Rr]ecord|[Dd]ump|[Tt]rac|[Tt]est|[Vv]erbos)"
+    r"|(?<=[a-z])(?:Debug|Log|Record|Dump|Trac|Test|Verbos)|DEBUG|TRACE|VERBOSE)(?:e|g?ing|s)?(?![a-z])\w{0,80}\s{0,8}\)\Z"
+)
+"""A flag whose name says that it is for those who look for mistakes."""
 _CASTS = ("cast_expression", "parenthesized_expression")
 
 
@@ -113,6 +117,6 @@ def _is_given(code: Code, node: Node, name: str) -> bool:
 
 
 def _is_optional(code: Code, used: Node) -> bool:
-    """Whether a flag alone decides about a call."""
+    """Whether a flag for those who look for mistakes decides about a call."""
     branches = (outer for outer in code.above(used) if outer.type == "if_statement")
     return any(_FLAG.match(code.text(each.child_by_field_name("condition"))) for each in branches)
