@@ -35,6 +35,7 @@ def is_known_package(name: str) -> bool:
     return name in packages() or name.startswith(PUBLIC)
 
 
+@memo
 def package_like(launch: Launch, package: str) -> Package | None:
     """The package of the workspace that is meant by a name which nobody has."""
     known = launch.workspace.packages
