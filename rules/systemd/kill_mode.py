@@ -37,6 +37,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -51,6 +52,8 @@ TRAP = regex(
     re.M,
 )
 """The script ends them itself, or means them to outlive it."""
+ENDS = regex(r"\b(?:pkill|killall)\b([^\n;&|]{0,200})", hints="pkill killall")
+NAME = regex(r"[\w.+-]+")
 SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logger", "systemd-notify"))
 """Programs that end by themselves."""
 
@@ -108,7 +111,15 @@ def _stays(command: Command) -> bool:
 
 def _ends_earlier(command: Command) -> bool:
     """Whether the script of a command first ends the program of an earlier start by its name."""
-    names = "|".join(re.escape(word.rpartition("/")[2]) for word in command.words[:2])
-    start = command.words[0].span.start
-    ends = re.compile(rf"\b(?:pkill|killall)\b[^\n;&|]{{0,100}}[ \t/\"'](?:{names})(?![\w-])")
-    return ends.search(command.words[0].span.source.said, 0, start) is not None
+    place = command.words[0].span
+    ended = place.source.once(_ended, lambda: _ended(place.source))
+    return any(ended.get(word.rpartition("/")[2], place.start) < place.start for word in command.words[:2])
+
+
+def _ended(source: Source) -> dict[str, int]:
+    """The words behind the commands of a script that end processes by their names, each with its first offset."""
+    found: dict[str, int] = {}
+    for match in ENDS.finditer(source.said):
+        for name in NAME.findall(match[1]):
+            found.setdefault(name, match.start())
+    return found
