@@ -5,7 +5,8 @@ Packages that a release of Ubuntu dropped, in images and scripts for that releas
 Python 2 (`python-pip`, `python-serial`), `python3-distutils`, `libgl1-mesa-glx` and `gazebo` on 24.04,
 `qt5-default` on 22.04. The release is that of the base image, which is 24.04 or later for `ros:rolling`, or that of
 the ROS distribution of the robot. What no supported release has is found without it, also in lists of packages; it is a
-warning then, and info where a file or the README speaks of Debian or a Raspberry Pi, whose older releases may have it.
+warning then, and info where a file or the README names Debian 10 (buster) or an older release, which may have it: no
+Debian that is supported does.
 
 Silent where a command may fail (`||`), only runs under a condition, or another repository is added.
 
@@ -64,7 +65,13 @@ OTHER_SOURCES = regex(
 LINE = regex(r"^[ \t]*(?P<name>[a-z0-9][a-z0-9.+-]*)[ \t]*$", re.M)
 OF_APT = regex(r"^(?:python3-[a-z0-9-]+|lib[a-z0-9.+-]+-dev|build-essential)[ \t]*$", re.M)
 """What a list of packages for apt has, and one for pip has not."""
-DEBIAN = regex(r"\b(?:debian|raspbian|raspberry|rpi|raspi)\b|/home/pi\b", re.I, hints="debian rasp rpi /home/pi")
+OLD_DEBIAN = regex(
+    r"\b(?:buster|stretch|jessie|wheezy)\b|\b(?:debian|raspbian|raspberry[ \t]{1,4}pi[ \t]{1,4}os)\b"
+    r"(?:[ \t]{1,4}gnu/linux)?[ \t:]{1,4}(?:version[ \t]{1,4})?(?:[789]|10)\b",
+    re.I,
+    hints="buster stretch jessie wheezy debian raspb",
+)
+"""The releases of Debian that may have what no supported Ubuntu has, and no supported Debian."""
 PAGE = regex(r"(?:^|/)README[^/]*$")
 MOST = 200_000
 
@@ -98,13 +105,13 @@ def _findings(robot: Robot, words: Iterable[Located], codename: str, related: li
             word,
             f"From Ubuntu {since} on there is no {word}: apt installs none of the packages that are named with it",
             advice=f"install {instead}" if instead else "leave it out",
-            severity=None if codename else "info" if _may_be_debian(robot) else "warning",
+            severity=None if codename else "info" if _may_be_old_debian(robot) else "warning",
             related=[*related, *(note(other, f"nor {other}, from {when} on") for other, (when, _) in others)],
         )
 
 
-def _may_be_debian(robot: Robot) -> bool:
-    return robot.mentions(DEBIAN) or any(map(DEBIAN.search, robot.tree.pages(PAGE, MOST)))
+def _may_be_old_debian(robot: Robot) -> bool:
+    return robot.mentions(OLD_DEBIAN) or any(map(OLD_DEBIAN.search, robot.tree.pages(PAGE, MOST)))
 
 
 def _of_stage(stage: Stage) -> Iterator[Located]:
