@@ -7,8 +7,8 @@ In lists of requirements and in commands of scripts and images:
   brings (`os`, `time`), modules of another project (`cv2`), packages of ROS (`rclpy`, `sensor_msgs`);
 - projects whose newest release ends its own installation: `sklearn` without a version, `logging`;
 - projects that are not the library whose module the programs of the tree import: `serial` in place of `pyserial`,
-  `board` in place of `adafruit-blinka`; info where the tree installs the library, too, by its name or with another
-  project that needs it: then the order decides whose module stays.
+  `board` in place of `adafruit-blinka`; info where the same list or command installs the library, too, by its name or
+  with another project that needs it: then the order decides whose module stays.
 
 Silent where another index is named, for requirements with a condition, and for the third kind in a tree of which no
 Python file imports the module.
@@ -81,39 +81,43 @@ ON_BLINKA = "adafruit-circuitpython-"
     ],
 )
 def pip_name(robot: Robot) -> Iterator[Finding]:
-    found = [(word, version, re.sub(r"[-_.]+", "-", word.lower())) for word, version in _requirements(robot)]
-    installed = {name for _, _, name in found}
-    for word, version, name in found:
-        what, instead = pip_names().get(name, ("", ""))
-        if what == "absent":
+    for group in _requirements(robot):
+        found = [(word, version, re.sub(r"[-_.]+", "-", word.lower())) for word, version in group]
+        installed = {name for _, _, name in found}
+        for word, version, name in found:
+            yield from _judged(robot, word, version, name, installed)
+
+
+def _judged(robot: Robot, word: Located, version: str, name: str, installed: set[str]) -> Iterator[Finding]:
+    """The finding for a project, beside the others of its list or command."""
+    what, instead = pip_names().get(name, ("", ""))
+    if what == "absent":
+        yield finding(
+            word,
+            f"PyPI has no project {word}: pip stops, and installs none of the packages that are named with it",
+            advice=_advice(name, instead),
+        )
+    elif what == "refused" and (name in ALWAYS_REFUSED or not PINNED.search(version)):
+        yield finding(
+            word,
+            f"The project {word} of PyPI ends its own installation: pip stops, and installs none of the packages "
+            "that are named with it",
+            advice=_advice(name, instead),
+        )
+    elif what == "other":
+        user = _user_of(robot, name)
+        if user is not None:
+            is_beside = _is_installed(instead, installed)
+            effect = (
+                f"it and {instead} overwrite each other" if is_beside else "they end with an error where they use it"
+            )
             yield finding(
                 word,
-                f"PyPI has no project {word}: pip stops, and installs none of the packages that are named with it",
-                advice=_advice(name, instead),
+                f"The project {word} of PyPI is not the library whose module {name} the programs import: {effect}",
+                advice="leave it out" if is_beside else f"write {instead}",
+                related=[note(user, "imports the module")],
+                severity="info" if is_beside else None,
             )
-        elif what == "refused" and (name in ALWAYS_REFUSED or not PINNED.search(version)):
-            yield finding(
-                word,
-                f"The project {word} of PyPI ends its own installation: pip stops, and installs none of the packages "
-                "that are named with it",
-                advice=_advice(name, instead),
-            )
-        elif what == "other":
-            user = _user_of(robot, name)
-            if user is not None:
-                is_beside = _is_installed(instead, installed)
-                effect = (
-                    f"it and {instead} overwrite each other"
-                    if is_beside
-                    else "they end with an error where they use it"
-                )
-                yield finding(
-                    word,
-                    f"The project {word} of PyPI is not the library whose module {name} the programs import: {effect}",
-                    advice="leave it out" if is_beside else f"write {instead}",
-                    related=[note(user, "imports the module")],
-                    severity="info" if is_beside else None,
-                )
 
 
 def _is_installed(project: str, installed: set[str]) -> bool:
@@ -131,19 +135,19 @@ def _advice(name: str, instead: str) -> str:
     return f"write {instead}" if " of apt" not in instead else f"leave it out, and install {instead}"
 
 
-def _requirements(robot: Robot) -> Iterator[tuple[Located, str]]:
-    """The projects that lists and commands name, each with what is said of its version."""
+def _requirements(robot: Robot) -> Iterator[Iterator[tuple[Located, str]]]:
+    """The projects that each list and command names, each with what is said of its version."""
     for source in robot.of_kind("pip-requirements"):
         if source.judged and not OTHER_INDEX.search(source.text):
-            yield from _of_list(source)
+            yield _of_list(source)
     for source, run in robot.scripts.run(*PIPS):
         if not source.says(INDEX_IN_IMAGE):
-            yield from _of_command(run.words)
+            yield _of_command(run.words)
     for file in robot.dockerfiles:
         if "pip" in file.source.text and not file.source.says(INDEX_IN_IMAGE):
             for stage in file.stages:
                 for command in commands_of(stage):
-                    yield from _of_command(unwrapped(command.words))
+                    yield _of_command(unwrapped(command.words))
 
 
 def _of_list(source: Source) -> Iterator[tuple[Located, str]]:
