@@ -142,6 +142,14 @@ class Source:
         end = starts[line] if line < len(starts) else len(self.text)
         return self.text[starts[line - 1] : end].rstrip("\r\n")
 
+    def comments_at(self, line: int) -> list[str]:
+        """The comments with # right above a line, and what follows a # on it."""
+        found = [self.line_text(line).partition("#")[2]]
+        while line > 1 and self.line_text(line - 1).lstrip().startswith("#"):
+            line -= 1
+            found.append(self.line_text(line))
+        return found[::-1]
+
     def line_before(self, offset: int) -> str:
         """The text of a line before an offset in it; of a very long line only what is near."""
         near = max(0, offset - _NEAR)

@@ -106,12 +106,7 @@ def _is_meant(robot: Robot, place: Span, services: list[Service]) -> bool:
     needs it."""
     if all(is_workplace(robot.compose, service) or _drives_zed_x(service) for service in services):
         return True
-    source, line = place.source, place.line
-    comments = [source.line_text(line).partition("#")[2]]
-    while line > 1 and source.line_text(line - 1).lstrip().startswith("#"):
-        line -= 1
-        comments.append(source.line_text(line))
-    return REASON.search(" ".join(reversed(comments))) is not None
+    return REASON.search(" ".join(place.source.comments_at(place.line))) is not None
 
 
 def _drives_zed_x(service: Service) -> bool:

@@ -3,8 +3,8 @@
 ## What it finds
 In a sudoers file, or in what a script writes to one:
 
-- A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without. It is info where a comment of the
-  file says that this is intended.
+- A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without. It is info where a comment on
+  the line or right above it says that sudo without a password is intended.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
   It is info where they only shut the computer down.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
@@ -85,12 +85,14 @@ BELOW = regex(
 HERE = regex(r"[\"']?(?:\$\(pwd\)|\$PWD|\$\{PWD\})")
 GOES = regex(r"^[ \t]*(?:cd|pushd)\b", re.M)
 PROTECTS = regex(r"\bchown\b[^\n]{0,60}\broot\b")
+INTENDED = r"\b(?:intentional(?:ly)?|deliberate(?:ly)?|on purpose)\b"
+OF_SUDO = r"(?:\bsudo|\bNOPASSWD\b|\b(?:as|becomes?) root\b|\broot rights\b)"
 MEANT = regex(
-    r"#[^\n]{0,200}\b(?:intentional(?:ly)?|deliberate(?:ly)?|on purpose)\b[^\n]{0,200}"
-    r"(?:\bNOPASSWD\b|\bpassword|\bpermissive\b|\bsudo\b)",
+    rf"{INTENDED}[^.;]{{0,200}}?{OF_SUDO}|{OF_SUDO}[^.;]{{0,200}}?{INTENDED}",
     re.I,
     hints="intentional deliberate purpose",
 )
+"""One sentence says that the right is intended, and that it is about root."""
 DEEPEST = 3
 """Variables that are made of others."""
 MOST = 200
@@ -136,7 +138,7 @@ def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located])
             what,
             f"Every program that runs as {_user(who)} can become root without a password",
             advice="name the commands that are needed, with their full paths and arguments",
-            severity="info" if _is_meant(what.span.source) else None,
+            severity="info" if _is_meant(what) else None,
         )
         return
     programs = list(dict.fromkeys(command.split()[0] for command in commands if command.startswith("/")))
@@ -158,9 +160,14 @@ def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located])
         )
 
 
-def _is_meant(source: Source) -> bool:
-    """Whether a comment says that the right is given on purpose, in the file or in the script that writes it."""
-    return (source.origin.whole.source if source.origin is not None else source).says(MEANT)
+def _is_meant(what: Located) -> bool:
+    """Whether a comment on the line or right above it says that the right is given on purpose, in the file or in the
+    script that writes it."""
+    source, span = what.span.source, what.span
+    comments = source.comments_at(span.line)
+    if source.origin is not None:
+        comments += source.origin.whole.source.comments_at(source.origin.whole.line)
+    return MEANT.search(" ".join(comments)) is not None
 
 
 def _of_own(robot: Robot, who: str, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:
