@@ -3,9 +3,9 @@
 ## What it finds
 `rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
 publisher, a subscription, a service, a client or a timer; or that returns, where the program spins the node without
-asking `rclpy.ok()`. It is an info where the branch logs an error: the program ends all the same, and the log has the
-cause beside the traceback. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these, or in a method
-without an answer that such a constructor calls.
+asking `rclpy.ok()`. It is an info where the branch, a method that it calls, or the handler around it logs or prints
+anything: the program ends all the same, and the log has the cause beside the traceback. In C++ `rclcpp::shutdown()` in
+a constructor that then makes one of these, or in a method without an answer that such a constructor calls.
 
 ## Why it matters on a robot
 `shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
@@ -46,6 +46,9 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+SAID = {True: ", and the log has a traceback, too", False: ", and the log does not say what failed", None: ""}
+"""By whether what failed is logged."""
+
 
 @rule("warning", symptoms=["either rcl_init() was not called or rcl_shutdown() was called"])
 def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
@@ -69,10 +72,10 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
         found = [("goes on", each) for each in nodes.shut_constructors(syntax, node)]
         found += [("only returns", each) for each in nodes.spun_after(syntax, node)]
         for what, each in found:
-            says = "the log has a traceback, too" if each.is_logged else "the log does not say what failed"
+            says = SAID[each.is_logged]
             yield finding(
                 file.span_of(each.shutdown),
-                f"The constructor {what} after this: {each.name}() raises, as the context is shut down, and {says}",
+                f"The constructor {what} after this: {each.name}() raises, as the context is shut down{says}",
                 advice="raise an exception that names the cause instead",
                 related=[note(file.span_of(each.made), "raises")],
                 severity="info" if each.is_logged else robot.nodes.lowered_if_vendored(file.source, "warning"),

@@ -4,7 +4,7 @@
 `rclpy.spin_until_future_complete()` without a time-out for the answer to a `call_async()` that follows the making of
 its client at once, in a Python file where nothing waits for a service or asks whether it is there. And requests and
 goals that are sent behind an `if not client.wait_for_service(timeout_sec=...)` that only logs and goes on: an info
-where the wait for the answer has a time-out.
+where the wait for the answer has a time-out, and what comes after it asks whether there is an answer.
 
 ## Why it matters on a robot
 A new client needs a moment until it has found its service, even if that runs already. DDS keeps a request for nobody

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.python import called_name
@@ -30,7 +31,7 @@ class SentInVain(NamedTuple):
     waits: bool
     """The call itself waits for the answer."""
     is_limited: bool
-    """What waits for the answer behind it has a time-out."""
+    """What waits for the answer behind it has a time-out, after which nothing uses an answer that is None."""
 
 
 def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
@@ -46,7 +47,7 @@ def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
         at = next((number for number, each in enumerate(later) if _is_sent(each, client, names)), len(later))
         for found in later[at : at + 1]:
             kind = "request" if asked.func.attr == "wait_for_service" else "goal"
-            is_limited = any(map(_is_limited, later[at + 1 :]))
+            is_limited = any(map(_is_limited, later[at + 1 :])) and _is_checked(syntax, found)
             yield SentInVain(asked, found, kind, called_name(found) == names[1], is_limited)
 
 
@@ -56,6 +57,37 @@ def _is_limited(call: ast.Call) -> bool:
     return called_name(call) == "spin_until_future_complete" and any(
         isinstance(each, ast.Constant) and isinstance(each.value, (int, float)) for each in given
     )
+
+
+def _is_checked(syntax: Syntax, sent: ast.Call) -> bool:
+    """Whether the function that sends asks whether there is an answer, or does not look at it."""
+    statements = list(own(body_of(syntax.function(sent))))
+    results = {
+        target.id
+        for each in statements
+        if isinstance(each, ast.Assign) and _is_result(each.value)
+        for target in each.targets
+        if isinstance(target, ast.Name)
+    }
+    answers = [each for each in statements if _is_result(each) or getattr(each, "id", None) in results]
+    asked = {id(part) for each in statements for part in _asked(each)}
+    is_done = any(getattr(each, "attr", "") == "done" for each in statements)
+    return not answers or is_done or any(id(each) in asked for each in answers)
+
+
+def _is_result(node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and called_name(node) == "result"
+
+
+def _asked(node: ast.AST) -> list[ast.expr]:
+    """What is taken for true or false, or compared with None."""
+    if isinstance(node, ast.Compare):
+        return [node.left] if any(getattr(each, "value", 0) is None for each in node.comparators) else []
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+        return [node.operand]
+    if isinstance(node, (ast.If, ast.IfExp)):
+        return [node.test]
+    return node.values if isinstance(node, ast.BoolOp) else []
 
 
 def _negated(syntax: Syntax, asked: ast.Call) -> ast.If | None:

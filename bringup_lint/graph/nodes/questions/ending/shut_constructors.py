@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.graph.nodes.sources.failure_logs import is_failure_log
+from bringup_lint.graph.nodes.sources.failure_logs import is_said
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -24,6 +24,10 @@ _ASKS = frozenset({"ok", "exit", "is_shutdown"})
 _CAUGHT = frozenset({"Exception", "BaseException", "RuntimeError", "RCLError"})
 _LEAVES = (ast.Return, ast.Raise)
 _EXITS = frozenset({"exit", "quit", "_exit", "kill", "abort"})
+_QUIET = frozenset(
+    {"shutdown", "try_shutdown", "get_logger", "debug", "destroy_node", "close", "release", "str", "format"}
+)
+"""Calls that surely log nothing of a failure."""
 
 
 class ShutConstructor(NamedTuple):
@@ -31,8 +35,8 @@ class ShutConstructor(NamedTuple):
     made: ast.Call
     """What raises, because the context is shut down."""
     name: str
-    is_logged: bool
-    """The branch has logged what failed, so that the log has the cause as well."""
+    is_logged: bool | None
+    """The branch has logged what failed, so that the log has the cause as well; None where that is not known."""
 
 
 def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
@@ -43,7 +47,7 @@ def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstruct
         if syntax.qualified(call) in _SHUTDOWNS:
             made = next(_made_after(syntax, call), None)
             if made is not None:
-                yield ShutConstructor(call, made, ast.unparse(made.func), _is_logged(syntax, call))
+                yield ShutConstructor(call, made, ast.unparse(made.func), _is_logged(syntax, node, call))
                 return
 
 
@@ -60,15 +64,24 @@ def spun_after(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
         if function is not None and len(spin.args) == 1 and _is_made_in(function, spin.args[0], str(node.name)):
             asked = {called_name(each) for each in own_calls(function.body)} & _ASKS
             if not asked and not syntax.is_dead(spin) and not syntax.catches(spin, _CAUGHT):
-                yield ShutConstructor(shutdowns[0], spin, "rclpy.spin", _is_logged(syntax, shutdowns[0]))
+                yield ShutConstructor(shutdowns[0], spin, "rclpy.spin", _is_logged(syntax, node, shutdowns[0]))
                 return
 
 
-def _is_logged(syntax: Syntax, call: ast.Call) -> bool:
-    """Whether the block of a call logs an error."""
+def _is_logged(syntax: Syntax, node: NodeClass, call: ast.Call) -> bool | None:
+    """Whether the block of a call, or a handler around it, logs anything; None where it calls what is not known."""
     statement = next(outer for outer, _ in syntax.within(call) if isinstance(outer, ast.stmt))
-    outer, field = next(syntax.above(statement))
-    return any(map(is_failure_log, own_calls(getattr(outer, field))))
+    outers = list(syntax.above(statement))
+    blocks = [getattr(outer, field) for at, (outer, field) in enumerate(outers) if at == 0 or _is_handler(outer)]
+    calls = [each for block in blocks for each in own_calls(block)]
+    methods = [node.methods[each.func.attr] for each in calls if is_own(each.func) and each.func.attr in node.methods]
+    if any(map(is_said, (*calls, *(each for method in methods for each in own_calls(method.node.body))))):
+        return True
+    return False if all(called_name(each) in _QUIET for each in calls) else None
+
+
+def _is_handler(outer: ast.AST) -> bool:
+    return isinstance(outer, ast.ExceptHandler)
 
 
 def _returns_after(syntax: Syntax, call: ast.Call) -> bool:
