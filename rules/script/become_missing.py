@@ -3,8 +3,8 @@
 ## What it finds
 Tasks that install packages, manage services or accounts, or write below `/etc`, `/usr`, `/lib` and `/boot`, without
 `become`, in a file in which most of such tasks have `become: true` of their own. All of a file are one finding. The
-tree has to hold the plays. It is info where the tasks only see to it that a folder is there: one that exists already,
-with this owner and mode, needs no root.
+tree has to hold the plays. It is info where the tasks only see to it that a folder is there which every Linux has, or
+which an earlier task of the file makes as root: it needs no root while the folder is as the task wants it.
 
 Silent if the tree gives the right in another way: `become` in a play, a role's entry or an include, `ansible_become` or
 `ansible_user=root` in the inventory, `become` in `ansible.cfg`, and `ansible-playbook --become` in a script or in the
@@ -42,6 +42,7 @@ When the role is only run as root, for example in the build of an image.
 
 import itertools
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -66,6 +67,19 @@ SERVICES = frozenset({"systemd", "systemd_service", "service"})
 CHANGES = ("state", "enabled", "masked", "daemon_reload", "daemon_reexec")
 FILES = frozenset({"copy", "template", "file", "lineinfile", "blockinfile", "get_url", "unarchive", "replace"})
 OF_ROOT = regex(r"/(?:etc|usr|lib|boot)/")
+FOLDERS = frozenset(
+    "/etc /etc/apt /etc/apt/apt.conf.d /etc/apt/keyrings /etc/apt/preferences.d /etc/apt/sources.list.d /etc/cron.d "
+    "/etc/cron.daily /etc/default /etc/init.d /etc/logrotate.d /etc/modprobe.d /etc/modules-load.d /etc/profile.d "
+    "/etc/security /etc/security/limits.d /etc/skel /etc/ssh /etc/ssl /etc/ssl/certs /etc/sudoers.d /etc/sysctl.d "
+    "/etc/systemd /etc/systemd/network /etc/systemd/system /etc/systemd/user /etc/tmpfiles.d /etc/udev "
+    "/etc/udev/rules.d /usr/bin /usr/lib /usr/lib/systemd /usr/lib/systemd/system /usr/local /usr/local/bin "
+    "/usr/local/etc /usr/local/include /usr/local/lib /usr/local/sbin /usr/local/share /usr/local/src /usr/sbin "
+    "/usr/share /usr/share/keyrings /usr/src /lib/firmware /lib/modules /lib/systemd /lib/systemd/system /lib/udev "
+    "/lib/udev/rules.d /boot/dtb /boot/efi /boot/firmware /boot/grub /boot/overlays".split()
+)
+"""Those that Debian, Ubuntu or the image of a board brings."""
+USUAL = {"mode": ("0755",), "owner": ("root",), "group": ("root",), "recurse": ("false", "no")}
+"""What these folders have, so that a task which asks for it changes nothing."""
 LEAST = 2
 """Tasks of the file that ask for root."""
 EXCUSES = ("ignore_errors", "failed_when", "delegate_to", "check_mode", "connection", "remote_user")
@@ -97,7 +111,7 @@ def _of_file(source: Source) -> Iterator[Finding]:
     without = [(each, module) for each, module in needing if each.become is None and not _is_excused(each)]
     if len(asking) >= LEAST and len(asking) > len(without) > 0:
         first, *others = (module for _, module in without)
-        only_folders = all(_makes_folder(each) for each, _ in without)
+        only_folders = all(_finds_folder(each, [by for by, _ in needing]) for each, _ in without)
         when = "where the folder is not there yet" if only_folders else "with a denied permission"
         yield finding(
             first,
@@ -156,11 +170,24 @@ def _module_of_root(task: Task) -> Located | None:
     return None
 
 
-def _makes_folder(task: Task) -> bool:
-    """Whether all that a task does is to see to it that a folder is there."""
-    settings = [each.settings for each in task.modules if each.name == "file"]
-    states = (each.scalar("state") if isinstance(each, Mapping) else None for each in settings)
-    return bool(settings) and all(state is not None and state.value == "directory" for state in states)
+def _finds_folder(task: Task, others: Iterable[Task]) -> bool:
+    """Whether all that a task does is to see to it that a folder is there, as it surely is already."""
+    wanted = list(_folders(task))
+    earlier = itertools.takewhile(lambda each: each is not task, others)
+    made = {path for each in earlier if each.own_become and not each.conditional for path, _ in _folders(each)}
+    return bool(wanted) and all(usual and (path in FOLDERS or path in made) for path, usual in wanted)
+
+
+def _folders(task: Task) -> Iterator[tuple[str, bool]]:
+    """The folders that a task makes, each with whether it asks for no other owner and mode than folders of the system
+    have."""
+    for module in task.modules:
+        settings = module.settings
+        if module.name == "file" and isinstance(settings, Mapping):
+            state, path = settings.scalar("state"), settings.scalar("path") or settings.scalar("dest")
+            if state is not None and state.value == "directory" and path is not None:
+                asked = ((settings.scalar(key), usual) for key, usual in USUAL.items())
+                yield path.value.rstrip("/"), all(each is None or each.value in usual for each, usual in asked)
 
 
 def _changes(settings: Mapping) -> bool:
