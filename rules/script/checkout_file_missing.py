@@ -4,7 +4,8 @@
 Paths below a home folder, `/opt` or `/srv` that lead into the checkout of this very repository, and to what it does not
 have, in units, scripts and login files: `WorkingDirectory=`, programs, files that `source`, `cd`, `python3`, `rviz2 -d`
 and `ros2 launch` read. Where the checkout is, other paths of the tree say: those that lead to files that exist. It is
-info where the path is the value of an argument (`NAME:=PATH`), which may be read or not.
+info where the path is the value of an argument (`NAME:=PATH`) that a launch file of the tree, with what it includes,
+does not read.
 
 Not reported: what builds, downloads and scripts of the tree make, ignored files, submodules, and what is tested for
 before it is used.
@@ -47,6 +48,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import unread_arguments
 
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin")
 HOME = r"(?:~|\$HOME|\$\{HOME\}|%h|/home/[\w.-]{1,40}|/root)"
@@ -62,6 +64,10 @@ READS = regex(
 )
 """What comes right before a path that is read."""
 BEFORE = 60
+ARGUMENT = regex(r"(?P<name>\w+):=[\"']?$")
+LAUNCHES = regex(
+    r"\blaunch[ \t]{1,9}(?:-\S{1,40}[ \t]{1,9}){0,9}(?P<package>\w{1,80})[ \t]{1,9}(?P<file>[\w.-]{1,80})[ \t]"
+)
 GENERATED = regex(
     r"(?:^|/)(?:install|devel|build|log|logs?|bags?|maps?|data|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?"
     r"|keystore|models?|recordings?|secrets?)$|\.(?:hex|bin|elf|uf2|so|o|a|ko|deb|whl|jar|img|zip|tgz|gz|onnx|engine|tflite"
@@ -102,7 +108,7 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
                 f"There is no {lacking} in {_place(word, checkout)}, which comes from this repository: {_effect(word)}",
                 advice="name what the repository has, or add it",
                 related=[note(other, "here too") for other in others],
-                severity="info" if all(map(_is_argument, (word, *others))) else None,
+                severity="info" if all(_is_unread(robot, each) for each in (word, *others)) else None,
             )
 
 
@@ -198,9 +204,19 @@ def _place(word: Located, checkout: str) -> str:
     return checkout if word.startswith(f"{checkout}/") else f"~{checkout}"
 
 
-def _is_argument(word: Located) -> bool:
-    """Whether a path is the value of an argument of launch or a parameter."""
-    return word.span.source.line_before(word.span.start).rstrip("\"'").endswith(":=")
+def _is_unread(robot: Robot, word: Located) -> bool:
+    """Whether a path is the value of an argument which the launch file that gets it does not read, nor what this
+    includes."""
+    before = word.span.source.line_before(word.span.start)
+    argument, command = ARGUMENT.search(before), next(iter([*LAUNCHES.finditer(before)][-1:]), None)
+    file = robot.launch.named(command["package"], command["file"]) if argument and command else None
+    if argument is None or file is None:
+        return False
+    name, started = argument["name"], robot.launch.expansion(file)
+    if any(each.declared.name == name for each in unread_arguments(robot.launch, file)):
+        return True
+    is_known = not started.opaque and not started.is_lost and name not in started.outside
+    return is_known and not any(each.reads_all or robot.launch.mentions(each, name) for each in started.files)
 
 
 def _effect(word: Located) -> str:
@@ -208,6 +224,6 @@ def _effect(word: Located) -> str:
     line = source.text[source.text.rfind("\n", 0, word.span.start) + 1 : word.span.start]
     if line.startswith("WorkingDirectory="):
         return "the service does not start, 200/CHDIR"
-    if _is_argument(word):
+    if ARGUMENT.search(line):
         return "this argument leads nowhere"
     return "what reads it fails"
