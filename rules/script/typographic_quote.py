@@ -3,7 +3,8 @@
 ## What it finds
 In commands of scripts, images, units and compose files: a word that begins with a typographic quote (`“`, `”`, `„`,
 `‘`, `’`), or has one after `=` or `+`, and an option whose dash is `–` or `—`. Not in what `echo`, `printf` and others
-only say, nor within ASCII quotes. The same line in copies of a script is one finding.
+only say, nor within ASCII quotes. The same line in copies of a script for the
+same purpose is one finding.
 
 ## Why it matters on a robot
 Web pages and word processors put these characters in the place of those of the keyboard, and they are copied with the
@@ -33,6 +34,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import Purpose
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -59,10 +61,11 @@ def typographic_quote(robot: Robot) -> Iterator[Finding]:
         if command.name not in SAYS:
             for word in (*command.assignments, *command.words):
                 found.setdefault(word.span.source, []).extend(_in(word))
-    alike: dict[tuple[str, ...], list[Located]] = {}
+    alike: dict[tuple[Purpose, bool, tuple[str, ...]], list[Located]] = {}
     for source, places in found.items():
         if places:
-            alike.setdefault(tuple(source.line_text(each.span.line).strip() for each in places), []).extend(places)
+            lines = tuple(source.line_text(each.span.line).strip() for each in places)
+            alike.setdefault((robot.purpose(source), robot.leads_to(source), lines), []).extend(places)
     for first, *others in alike.values():
         is_quote = first in PLAIN
         message = (
