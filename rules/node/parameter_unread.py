@@ -8,7 +8,7 @@ package names `x` again, and a launch or parameter file of the package sets it.
 
 A value that is read into a variable or attribute which nothing of the package uses, except to log it, is found as well:
 as information where no launch or parameter file of the package sets the parameter. It is an info, too, where a page of
-the package, or a comment beside the parameter, says that it is not used.
+the package, or a comment beside the parameter, says of it without a condition that it is not used.
 
 A C++ node that only compares the name in the callback for changes is found as well, whoever sets the parameter, when it
 registers that callback after the declaration: the callback is told of later changes, not of the first value.

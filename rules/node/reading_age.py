@@ -5,7 +5,8 @@ A node that keeps what a scanner, a range sensor, a point cloud, the odometry or
 (`WindSensor`) sends in one callback, and publishes velocities or commands (`WinchCmd`) from another one which uses what
 was kept: a timer, a thread, or the callback of the velocities that it passes on. Found when nothing in the source looks
 at a time: no stamp, no time-out, no difference of two times. It is an info where it sends only commands that are
-neither velocities nor speeds of motors: whether the last value will do is a matter of what they move.
+neither velocities nor for motors, and sets no speed in them: whether the last value will do is a matter of what they
+move.
 
 ## Why it matters on a robot
 When the scanner stops, its last reading stays: the way that was free then is free forever, and the robot drives on at

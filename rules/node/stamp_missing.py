@@ -4,7 +4,8 @@
 Odometry, joint states, IMU, laser, point cloud, range, GPS and magnetometer readings, and transforms, that Python and
 C++ nodes make, fill and publish without a time stamp; and images that a node takes itself from a camera. Only messages
 of which every use is seen: one that is handed to something else may get its stamp there. What robot_localization does
-is said where the tree uses it. Positions of GPS are an info where it does not: they are read as they come.
+is said where the tree uses it. Positions of GPS are an info where neither it nor a synchronizer of
+message_filters is in use: they are read as they come.
 
 ## Why it matters on a robot
 The stamp stays 0, which is 1970. robot_localization ignores such readings, `robot_state_publisher` and tf2 place the
@@ -42,8 +43,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
+SYNCHRONIZER = regex(
+    r"\b(?:Approximate|Exact)Time(?:Synchronizer)?\b|\b(?:Time)?Synchronizer\b",
+    hints="Synchronizer ApproximateTime ExactTime",
+)
+"""What message_filters joins messages by, which looks at their stamps."""
 IGNORED = "robot_localization ignores it"
 HARM = {
     "geometry_msgs/msg/TransformStamped": "a lookup for now finds no transform",
@@ -73,7 +80,7 @@ def stamp_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(each.made, f"no stamp in this {each.type.rpartition('/')[2]} either") for each in others),
             ],
             severity="info"
-            if first.type in PLAIN and not is_localized
+            if first.type in PLAIN and not is_localized and not is_synchronized(robot, kind)
             else robot.nodes.lowered(first.made.source, "warning"),
         )
 
@@ -82,3 +89,9 @@ def uses_robot_localization(robot: Robot) -> bool:
     """Whether a launch file or a package of the tree names it."""
     kinds = ("launch-python", "launch-xml", "launch-yaml", "ros-package")
     return any("robot_localization" in source.text for source in robot.files.of_kind(*kinds))
+
+
+def is_synchronized(robot: Robot, kind: str) -> bool:
+    """Whether a source of the tree that joins messages by their stamps has this kind of message."""
+    sources = robot.of_kind("python-node", "cpp-node")
+    return any(source.matches(SYNCHRONIZER) and kind in source.said for source in sources)

@@ -45,6 +45,12 @@ _SET = regex(r"[;{})]\s{0,80}(?:this->)?(?P<name>[A-Za-z]\w{0,80})\s{0,3}=\s{0,3
 _COUNTED = regex(
     r"(?:\+\+|--)(?:this->)?(?P<before>[A-Za-z]\w{0,80})|\b(?P<after>[A-Za-z]\w{0,80})(?:\+\+|--|\s{0,3}[+-]=)"
 )
+_SPEED = regex(r"(?i)(?:\A|_)(?:speeds?|velocity|velocities|throttle|thrust|rpms?)(?:\Z|_)")
+"""The names of fields of which the motion follows."""
+_SPEED_SET = regex(
+    r"(?<!this)(?:->|\.)(?:\w{1,40}_)?(?:speeds?|velocity|velocities|throttle|thrust|rpms?)(?:_\w{1,40})?\s{0,4}=(?!=)",
+    hints="speed veloci throttle thrust rpm",
+)
 _VELOCITIES = ("Twist", "TwistStamped")
 
 
@@ -76,10 +82,11 @@ def stale_readings(nodes: Nodes) -> Iterator[StaleReading]:
 
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[Endpoint]) -> Iterator[StaleReading]:
     syntax = nodes.syntax(file)
-    drives = any(map(is_motion, node.all_endpoints))
+    is_velocity = any(map(is_motion, node.all_endpoints))
     for mover in [*loops(syntax, node), *_commanded(syntax, node)]:
         if not any(_moves(each, node) for each in mover.code):
             continue
+        drives = is_velocity or any(map(_is_speed, mover.code))
         for reading in readings:
             if _is_timed(syntax, node, reading, mover):
                 continue
@@ -90,6 +97,15 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[En
                     first = _before(file, node, name)
                     yield StaleReading(file.source, reading, f"self.{name}", place, f"{mover.name}()", first, drives)
                     break
+
+
+def _is_speed(node: ast.AST) -> bool:
+    """Whether a speed of a message is set, as a field or where it is made."""
+    if isinstance(node, ast.keyword):
+        return node.arg is not None and _SPEED.search(node.arg) is not None
+    if not isinstance(node, ast.Attribute) or is_own(node):
+        return False
+    return isinstance(node.ctx, ast.Store) and _SPEED.search(node.attr) is not None
 
 
 def _is_timed(syntax: Syntax, node: NodeClass, reading: Endpoint, mover: Loop) -> bool:
@@ -130,7 +146,8 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[StaleReading]:
     text = with_header(nodes, source.source)
     if looks_at_age(text):
         return
-    signs, drives = _signs(text), any(map(is_motion, source.endpoints))
+    signs = _signs(text)
+    drives = any(map(is_motion, source.endpoints)) or bool(_SPEED_SET.search(COMMENT.sub(" ", text)))
     for reading in readings:
         if any(_is_within(at, reading.span) and names & _CLOCKS for at, names in source.called.items()):
             continue
