@@ -3,7 +3,7 @@
 ## What it finds
 A CAN interface with a bit rate and without `restart-ms` or `RestartSec=`, in scripts, units and `.network` files, where
 nothing of the tree restarts a bus. Silent for serial adapters (slcan), which cannot be restarted so. It is an info
-where a document of the tree speaks of `restart-ms`: somebody has decided.
+where a document of the tree says that `restart-ms` is left out on purpose or by a specification.
 
 ## Why it matters on a robot
 A loose plug, a short circuit or a controller that loses its power makes the CAN controller count errors, until it goes
@@ -28,6 +28,7 @@ When a person is to look at the bus before the robot goes on, or the driver rest
 - systemd.network(5), "[CAN] Section Options"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,6 +41,14 @@ from bringup_lint.api import rule
 
 RESTARTS = regex(r"\brestart[-_]ms\b|\btype[ \t]+can[ \t]+restart\b|\bRestartSec=", hints="estart")
 DOCUMENT = regex(r"\.(?:md|rst|txt|adoc)$")
+NAMES = regex(r"\brestart[-_]ms\b")
+LEAVES_OUT = regex(r"\b(?:no|not|without|omit\w*|leaves?|left|unset|never)\b", re.I)
+ON_PURPOSE = regex(
+    r"\b(?:on purpose|deliberate(?:ly)?|intentional(?:ly)?|by design"
+    r"|(?:per|by) (?:the )?(?:\w{1,40} )?spec(?:ification)?)\b",
+    re.I,
+)
+SENTENCES = regex(r"(?<=[.!?])\s+|\n[ \t]*\n")
 MOST = 512 * 1024
 """Bytes of a document that is read."""
 SETS = regex(r"\bip[ \t]+link[ \t]+set\b[^\n;&|]{0,100}\btype[ \t]+can\b[^\n;&|]{0,100}\bbitrate\b")
@@ -56,8 +65,14 @@ def no_restart(robot: Robot) -> Iterator[Finding]:
         "After a bus-off, this CAN bus stays off until somebody takes the interface down and up again",
         advice="add RestartSec=100ms" if first.span.source.kind == "networkd" else "add restart-ms 100",
         related=[note(other, "stays off, too") for other in others[:20]],
-        severity="info" if any(map(RESTARTS.search, robot.tree.pages(DOCUMENT, MOST))) else None,
+        severity="info" if any(map(_leaves_it_out, robot.tree.pages(DOCUMENT, MOST))) else None,
     )
+
+
+def _leaves_it_out(page: str) -> bool:
+    """Whether a sentence says that the time to the restart is left out on purpose."""
+    sentences = SENTENCES.split(page) if NAMES.search(page) else ()
+    return any(all(each.search(sentence) for each in (NAMES, LEAVES_OUT, ON_PURPOSE)) for sentence in sentences)
 
 
 def _set_up(robot: Robot) -> Iterator[Located]:
