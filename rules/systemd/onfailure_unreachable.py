@@ -64,7 +64,7 @@ def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
             if policy.limited
             else "The start limit is disabled"
         )
-        each_time = robot.target.systemd >= 254 and unit.get("RestartMode") != "direct"
+        each_time = robot.units.fails_each_time(unit)
         yield finding(
             handlers[0],
             f"{why}: systemd {robot.target.systemd} starts {handlers[0]} after every single failure"

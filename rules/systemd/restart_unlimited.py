@@ -11,6 +11,8 @@ A service with Restart= and a start limit that acts too late or too early:
   warning in two cases: the unit says what is to happen when it fails (OnFailure=, FailureAction=, StartLimitAction=),
   which never comes; or it starts `ros2 launch` again after less than 5 s. Both stay an info with a delay of 60 s or
   more, and for a program that only connects to a board, a clock or another computer (a micro-ROS agent, rosbridge).
+  So does OnFailure= from systemd 254 on, which starts it after every single failure if not for RestartMode=direct
+  (systemd/onfailure-unreachable).
 - The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
@@ -93,7 +95,7 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
         also = [note(other.place, f"{other.unit.name} as well") for other in others]
         yield finding(
             crash.place,
-            _message(crash),
+            _message(robot, crash),
             advice=_advice(crash),
             related=[*_settings(crash), *also],
             fix=_limit([each for each in (crash, *others) if each.unit.editable]),
@@ -112,7 +114,7 @@ def _advice(crash: CrashLoop) -> str:
     )
 
 
-def _message(crash: CrashLoop) -> str:
+def _message(robot: Robot, crash: CrashLoop) -> str:
     unit, policy, loop = crash
     name, every, interval = unit.name, duration(policy.longest), duration(policy.interval)
     limit = f"{policy.burst} starts in {interval}"
@@ -124,9 +126,15 @@ def _message(crash: CrashLoop) -> str:
             if policy.steps
             else f"RestartSec={every.replace(' ', '')}"
         )
+        handler = next(iter(unit.values("OnFailure", "Unit")), None) if robot.units.fails_each_time(unit) else None
+        end = (
+            f", and systemd {robot.target.systemd} starts {handler} after every single failure"
+            if handler
+            else " and never counts as failed"
+        )
         return (
             f"systemd's start limit ({limit}) can never be reached with {delays}: a failing {name} is restarted "
-            "forever and never counts as failed"
+            f"forever{end}"
         )
     if loop.outcome is Outcome.NO_TIME_LEFT:
         return f"{policy.burst} restarts × {every} fill the interval of {interval}: the limit never trips"

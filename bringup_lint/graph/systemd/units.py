@@ -163,6 +163,10 @@ class Units(NamedUnits):
         """What systemd does when the service ends."""
         return restart_policy(unit, self.files.target.systemd, self.system_conf)
 
+    def fails_each_time(self, unit: Unit) -> bool:
+        """Whether a service that is restarted counts as failed before each restart, so that OnFailure= starts."""
+        return self.files.target.systemd >= 254 and unit.get("RestartMode") != "direct"
+
     @memo
     def supervision(self, unit: Unit) -> Supervision:
         """How systemd starts, watches and stops the service."""

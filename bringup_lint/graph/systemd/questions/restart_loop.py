@@ -178,10 +178,11 @@ def _endless(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None:
         return Loop(Outcome.NEVER_TRIPS, policy.longest < SLOW)
     retries = policy.restart != "always" or policy.longest >= SLOW or only_connects(unit, units)
     harms = unit in units.launching and policy.longest < PAUSE
-    return Loop(Outcome.NEVER_TRIPS, not retries and (harms or _acts_on_end(unit)))
+    return Loop(Outcome.NEVER_TRIPS, not retries and (harms or _acts_on_end(unit, units)))
 
 
-def _acts_on_end(unit: Unit) -> bool:
-    """Whether the unit says what is to happen once it counts as failed."""
+def _acts_on_end(unit: Unit, units: Units) -> bool:
+    """Whether the unit says what is to happen once it counts as failed for good, which it never does."""
     actions = (unit.get(key, "Unit") for key in ("FailureAction", "StartLimitAction"))
-    return unit.has("OnFailure", "Unit") or any(action not in (None, "none") for action in actions)
+    handled = unit.has("OnFailure", "Unit") and not units.fails_each_time(unit)
+    return handled or any(action not in (None, "none") for action in actions)
