@@ -3,7 +3,7 @@
 ## What it finds
 The same parameter twice under one `ros__parameters`. An error when the types differ, a warning when only the values
 differ, and info when both are equal, or lie in a section that is not in use: one with `enabled: false`, or a plugin of
-Navigation2 that no list of its node has.
+Navigation2 that no list of its node has, nor the default of a list that is not written.
 
 ## Why it matters on a robot
 If both have the same type, the last value applies. If the types differ, rcl keeps both and passes on the one whose

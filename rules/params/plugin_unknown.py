@@ -12,7 +12,8 @@
 - no file of the tree but parameter files names the package, so that nothing builds, fetches or installs it: a warning.
   The namespace is taken for the name of the package, and simulators do not count.
 
-Sections that are switched off, or that no list of plugins of their node has, count as a file that nothing loads.
+Sections that are switched off, or that no list of plugins of their node has (nor the default of a list that is not
+written), count as a file that nothing loads.
 
 ## Why it matters on a robot
 pluginlib compares names letter by letter. A server of Navigation2 ends when it configures, and the lifecycle manager

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 
+from bringup_lint.facts.ros.nav2_plugins import DEFAULTS
 from bringup_lint.model.params import NOT_SET
 from bringup_lint.model.params import Block
 from bringup_lint.model.params import Data
@@ -60,13 +62,18 @@ def _item(node: Scalar, value: Value) -> Item:
 
 def switched_off(block: Block) -> frozenset[str]:
     """The sections of a block that say that they are not in use, as with ``enabled: false``, and those of plugins that
-    no list of plugins of the block has."""
+    no list of plugins of the block has, nor the default of a list that it does not give."""
     parts = [(each, *each.name.rpartition(".")) for each in block.parameters]
     off = {section for each, section, _, name in parts if section and each.value.data is False and _SWITCH.match(name)}
     top = {name: each for each, section, _, name in parts if not section}
-    listed = {item.text for each in top.values() for item in items(each)} if any(map(_LISTS.search, top)) else set()
     plugins = {section for _, section, _, name in parts if name == "plugin" and "." not in section}
-    return frozenset(off | (plugins - listed if listed else set()))
+    return frozenset(off | (plugins - _in_use(top.values()) if plugins and any(map(_LISTS.search, top)) else set()))
+
+
+def _in_use(parameters: Iterable[Parameter]) -> set[str]:
+    """The names that the lists of a block have, or the server takes for those that are missing or empty."""
+    given = {each.name: {item.text for item in items(each)} for each in parameters}
+    return set().union(*given.values(), *(names for each, names in DEFAULTS.items() if not given.get(each)))
 
 
 def holds_maps(parameter: Parameter) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.nav2_plugins import LISTS
 from bringup_lint.graph.params.values import items
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.named_tuple import NamedTuple
@@ -15,25 +16,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
     from bringup_lint.source import Span
-
-_COSTMAP = {"plugins": ("static_layer", "obstacle_layer", "inflation_layer"), "filters": ()}
-LISTS: dict[str, dict[str, tuple[str, ...]]] = {
-    "controller_server": {
-        "controller_plugins": ("FollowPath",),
-        "goal_checker_plugins": ("goal_checker",),
-        "progress_checker_plugins": ("progress_checker",),
-    },
-    "planner_server": {"planner_plugins": ("GridBased",)},
-    "smoother_server": {"smoother_plugins": ("simple_smoother",)},
-    "behavior_server": {
-        "behavior_plugins": ("spin", "backup", "drive_on_heading", "wait"),
-    },
-    "local_costmap": _COSTMAP,
-    "global_costmap": _COSTMAP,
-}
-"""Node -> the parameters that name plugins -> the names whose classes the server knows by itself, when the list is just
-these, in this order. Source: navigation2, Humble to Kilted: controller_server.cpp, planner_server.cpp,
-nav2_smoother.cpp, behavior_server.cpp, costmap_2d_ros.cpp."""
 
 
 class UntypedPlugin(NamedTuple):
