@@ -3,21 +3,21 @@
 ## What it finds
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
-a section of their own, where no other file knows the name (an info beside sources that have one); a source that marks
-farther away than it clears; a layer with `clearing: false` whose sources all mark, and none of which clears; limits of
-`velocity_smoother` with the wrong sign, not one for each axis, or of zero for turning both ways; `polygons` of the
-collision monitor without a section; `min_particles` of amcl above `max_particles`; an `initial_pose` without
-`set_initial_pose`; from Humble on the names that amcl's motion models had before, and a section `recoveries_server`
-where one for `behavior_server` is missing or lacks frames and speeds of it, or `default_bt_xml_filename`; a local
-costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have, and critics of which none
-looks at obstacles; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
-`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the collision monitor inside of the robot;
-a `robot_radius` of the local costmap far from that of the global one; a topic or `robot_base_frame` of one costmap, or
-the scan of amcl, that nothing else of the robot names, where the other costmap has another one that is named elsewhere;
-a `model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and from Jazzy on
-libraries in `plugin_lib_names` that bt_navigator loads by itself. A `default_bt_xml_filename` that names the tree which
-Nav2 takes anyway is an info, and so is what ends no server in the files of tests. Layers with `enabled: false` are left
-alone.
+a section of their own, where no other file knows the name (an info beside sources that have one, unless a section of a
+source is not on the list); a source that marks farther away than it clears; a layer with `clearing: false` whose
+sources all mark, and none of which clears; limits of `velocity_smoother` with the wrong sign, not one for each axis, or
+of zero for turning both ways; `polygons` of the collision monitor without a section; `min_particles` of amcl above
+`max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names that amcl's motion models had
+before, and a section `recoveries_server` where one for `behavior_server` is missing or lacks frames and speeds of it,
+or `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do
+not have, and critics of which none looks at obstacles; limits of `velocity_smoother` below those that a controller of
+the same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the
+collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of the global one; a topic or
+`robot_base_frame` of one costmap, or the scan of amcl, that nothing else of the robot names, where the other costmap
+has another one that is named elsewhere; a `model_dt` of MPPI below the period of its server; a `data_type` that
+obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. A
+`default_bt_xml_filename` that names the tree which Nav2 takes anyway is an info, and so is what ends no server in the
+files of tests. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -102,6 +102,12 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
         "The source '{name}' of {detail} has no section, as others have: the layer waits for a topic '{name}', too",
         "take it off the list, or add a section {name} with topic and data_type",
         "info",
+    ),
+    "unlisted": (
+        "The source '{name}' has no section, and the section '{detail}' of its layer is not on the list: the layer "
+        "reads the topic '{name}'",
+        "correct the name: write the same one on the list and for the section",
+        None,
     ),
     "sign": (
         "{name} has the wrong sign ({detail}): the velocity smoother refuses it, or never stops",

@@ -236,8 +236,7 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
         prefix = f"{layer}.{source}."
         if source in alone:
             if not params.named_elsewhere(source, {sources.span.source}):
-                kind = "source" if alone.issuperset(listed) else "stray"
-                yield NavigationProblem(kind, sources.span, source, layer)
+                yield _without_section(named, layer, sources, source, alone=alone.issuperset(listed))
             continue
         seen = named.get(f"{prefix}data_type")
         if seen is not None and isinstance(seen.value.data, str) and seen.value.data not in _SEEN:
@@ -251,6 +250,30 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
             continue
         other = marked.span if marked is not None and where is cleared else None
         yield NavigationProblem("ranges", where.span, source, f"{clear:g} m, {far:g} m", other)
+
+
+def _without_section(
+    named: dict[str, Parameter], layer: str, where: Parameter, source: str, alone: bool
+) -> NavigationProblem:
+    """A source that is listed and has no section: where the layer has one that is not listed, it may be meant."""
+    listed = str(where.value.data).split()
+    spare = {
+        name: named[f"{layer}.{name}.{key}"]
+        for key in ("data_type", "topic")
+        for name in _sections(named, layer, key)
+        if name not in listed
+    }
+    if spare:
+        meant = next(iter(nearest(source, spare, 4)), next(iter(spare)))
+        return NavigationProblem("unlisted", where.span, source, meant, spare[meant].span)
+    return NavigationProblem("source" if alone else "stray", where.span, source, layer)
+
+
+def _sections(named: dict[str, Parameter], layer: str, key: str) -> Iterator[str]:
+    """The sections right below a layer that have a parameter."""
+    for name in named:
+        if name.startswith(f"{layer}.") and name.endswith(f".{key}") and name.count(".") == layer.count(".") + 2:
+            yield name[len(layer) + 1 : -len(key) - 1]
 
 
 def _never_cleared(named: dict[str, Parameter], layer: str) -> Iterator[NavigationProblem]:

@@ -16,8 +16,8 @@ class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
     ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``halves``, ``critic``, ``type``, ``clearing``,
-    ``turn``, ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``,
-    ``blind``, ``step``, ``beside``, ``base`` or ``stray``."""
+    ``turn``, ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``, ``blind``, ``step``, ``beside``, ``base``,
+    ``stray`` or ``unlisted``."""
     where: Span
     name: str
     """The parameter or observation source."""
