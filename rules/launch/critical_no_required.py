@@ -8,7 +8,7 @@ warning where a unit or container of the tree launches the file (not for odometr
 one), where the file has another driver or controller restarted, and once a robot for `ros2_control_node` beside nodes
 that outlive it; else for information, and so for a node in a part that an argument switches on, or that gets simulated
 time, and for `ros2_control_node` where nothing of the tree starts controllers for it, or the package has its hardware
-from topic_based_ros2_control: another node has the device there.
+from topic_based_ros2_control, and neither it nor a description names other hardware: another node has the device there.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -59,6 +59,18 @@ COMMANDS = regex(
 """What activates controllers without the spawner."""
 TOPICS = "topic_based_ros2_control"
 """Hardware that only publishes commands and hears states: another node has the device."""
+NO_DEVICES = {
+    TOPICS,
+    "fake_components",
+    "gazebo_ros2_control",
+    "gz_ros2_control",
+    "ign_ros2_control",
+    "mock_components",
+    "transmission_interface",
+}
+"""Packages of hardware that is topics, a simulation or made up, and of what stands between hardware and joints."""
+DEVICES = ("hardware", "driver", "arduino", "_ros2_control")
+"""Parts of the names of packages that have hardware for ros2_control."""
 ASIDE = ("tool", "state", "teleop", "container")
 
 
@@ -164,10 +176,20 @@ def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool
 def drives_hardware(robot: Robot, expansion: launch.Expansion) -> bool:
     """Whether something starts controllers, and other than those of which the hardware is another node that hears their
     topics: those beside the manager, others apart from any, or commands."""
-    owners = (robot.launch.workspace.owner(each.source) for each in expansion.files)
-    if any(name == TOPICS for owner in owners if owner is not None for _, name in owner.manifest.depends):
+    if has_only_topics(robot, expansion):
         return False
     return expansion.opaque or starts_controllers(expansion) or robot.mentions(COMMANDS) or _starts_apart(robot)
+
+
+def has_only_topics(robot: Robot, expansion: launch.Expansion) -> bool:
+    """Whether the packages of a launch file depend on hardware that is topics, and neither they nor a description of
+    the robot name another one that may have a device."""
+    owners = (robot.launch.workspace.owner(each.source) for each in expansion.files)
+    depends = {name for owner in owners if owner is not None for _, name in owner.manifest.depends}
+    if TOPICS not in depends:
+        return False
+    named = {name for name in depends if any(part in name for part in DEVICES)}
+    return named.union(each.partition("/")[0] for each in robot.plugins.described) <= NO_DEVICES
 
 
 def starts_controllers(expansion: launch.Expansion) -> bool:

@@ -72,6 +72,12 @@ class Plugins:
         return Named(self._files, self._launch.workspace, self._params).unknown
 
     @cached_property
+    def described(self) -> frozenset[str]:
+        """The classes of hardware and of transmissions that the robot descriptions name."""
+        named = Named(self._files, self._launch.workspace, self._params)
+        return frozenset(str(name) for each in named.descriptions for name in each.plugins)
+
+    @cached_property
     def untyped(self) -> list[list[UntypedPlugin]]:
         """Plugins that parameter files tell a server of Navigation2 to load, without their class; those of one file
         together."""
