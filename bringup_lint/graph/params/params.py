@@ -14,6 +14,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
+from bringup_lint.graph.words import words
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import Value
@@ -247,11 +248,11 @@ class Params:
 
     def is_read_by_program(self, file: ParameterFile) -> bool:
         """Whether a program of the tree that reads YAML itself names a file: it may do more with the values."""
-        return any(file.source.basename in each.text for each in self._yaml_readers)
+        return file.source.basename in self._words_of_yaml_readers
 
     @cached_property
-    def _yaml_readers(self) -> list[Source]:
-        return [each for each in self.code if each.matches(_READS_YAML)]
+    def _words_of_yaml_readers(self) -> set[str]:
+        return set().union(*(words(each.text) for each in self.code if each.matches(_READS_YAML)))
 
     @cached_property
     def code(self) -> list[Source]:
