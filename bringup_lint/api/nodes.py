@@ -137,6 +137,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.missing_names import missing_names
     from bringup_lint.graph.nodes.questions.python.missing_qos import without_qos
     from bringup_lint.graph.nodes.questions.python.object_attributes import object_attributes
+    from bringup_lint.graph.nodes.questions.python.operators import is_operated
     from bringup_lint.graph.nodes.questions.python.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python.plain_attributes import plain_attributes
     from bringup_lint.graph.nodes.questions.python.python_releases import NotThere
@@ -243,6 +244,7 @@ __all__ = [
     "is_checked",
     "is_known_unread",
     "is_never_filled",
+    "is_operated",
     "is_remote",
     "is_stopped",
     "is_tool",

@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import regex
@@ -54,13 +55,25 @@ _OF_PERIOD = (
 )
 """Of what the period of one update is compared with, which is shorter than the time between two messages."""
 _PERIOD = regex(r"\bperiod\s{0,4}>=?[^;{}<>]{0,40}\Z", hints="period")
+_UPDATE = regex(r"\bupdate\w{0,40}\s{0,4}\([^(){};]{0,300}\bperiod\s{0,4}\)", hints="update")
+_OWN = regex(r"\b(?:Duration|auto)\s{1,4}period\b", hints="period")
+"""A variable of this name, which may be the time since anything."""
 
 
 @rule("warning", silent="the compiler converts the number, and nothing is logged")
 def duration_cut(robot: Robot) -> Iterator[Finding]:
     for found in nodes.wrong_durations(robot.nodes):
         message, advice = _SAYS[found.kind]
-        if found.kind == "cut" and _PERIOD.search(found.place.source.line_before(found.place.start)):
+        if found.kind == "cut" and is_of_update(found.place):
             message, advice = _OF_PERIOD
         severity = "info" if found.kind == "cast" else robot.nodes.lowered_if_vendored(found.place.source, "warning")
         yield finding(found.place, message.format(found.number), advice=advice, severity=severity)
+
+
+def is_of_update(place: Span) -> bool:
+    """Whether a duration is compared with the period that a controller is given for its ``update()``."""
+    if not _PERIOD.search(place.source.line_before(place.start)):
+        return False
+    text = place.source.text
+    heads = [each.end() for each in _UPDATE.finditer(text) if each.end() < place.start]
+    return bool(heads) and not _OWN.search(text, heads[-1], place.start)

@@ -12,9 +12,9 @@ rclpy does not have, such as `rclpy.Time` and the functions of rospy; and `Encod
 the class Encoder have a port. The same holds for classes beside the nodes, in Python modules of the tree too, that
 build on nothing and that the code makes; and for `motor.brake()` and `self.motor.brake()` where the object is only
 ever of one such class, be it of another file of the tree. Classes with bases that are not in the tree are left out. It
-is an info in a method that nothing calls, in `__getitem__`, `__str__` and the like of a plain class, behind a
-handler that shuts the context down, and after the `join()` of a thread, where the node has done its work. It is an info
-in packages that others wrote and the tree only carries.
+is an info in a method that nothing calls, in `__getitem__`, `__str__` and the like of a plain class, where no `len(x)`,
+`x[0]` and the like runs them, behind a handler that shuts the context down, and after the `join()` of a thread, where
+the node has done its work. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -52,7 +52,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 BY_OPERATORS = frozenset("__getitem__ __iter__ __len__ __contains__ __str__ __repr__ __eq__ __lt__ __hash__".split())
-"""Methods of which nothing says whether anybody runs them: no call names them."""
+"""Methods that no call names."""
 
 
 @rule(
@@ -96,7 +96,8 @@ def _of_plain_classes(robot: Robot) -> Iterator[Finding]:
         end = nodes.end_of(robot.nodes.syntax(first.file), first.place, caught=first.caught)
         idle = first.idle and robot.nodes.is_idle(first.file, first.function)
         severity = "warning" if first.function.startswith("__") and first.function != "__init__" else "error"
-        idle |= first.function in BY_OPERATORS
+        if first.function in BY_OPERATORS:
+            idle = not nodes.is_operated(robot.nodes, first)
         yield finding(
             first.file.span_of(first.place),
             f"AttributeError when {first.function}() runs: nothing sets self.{name} in {first.owner}, and {end}",

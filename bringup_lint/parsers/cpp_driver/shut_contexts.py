@@ -40,8 +40,10 @@ _UNFIT = regex(
 _NULL = regex(r"\A\((?:!\w+|\w+==(?:nullptr|NULL))\)\Z")
 _USE = (
     r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:(?:->|\.)(?!(?:close|release|reset|disconnect|stop|shutdown)\b)|<<|>>)"
-    r"|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
+    r"|[(,=]\s{{0,4}}\*\s{{0,4}}(?:this->)?{0}\b(?!\s{{0,4}}(?:->|[.\[]))|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
 )
+_FOLLOWED = regex(r"->\Z|\A[(,=]\s{0,4}\*")
+"""A use of what a pointer points to."""
 _ANEW = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:=(?!=)|\.\s{{0,4}}reset\s{{0,4}}\(\s{{0,4}}[^)\s])"
 """What gives it something else."""
 
@@ -174,7 +176,7 @@ def _made_in(code: Code, functions: _Functions, method: Node, depth: int) -> Nod
 
 def _is_null(code: Code, statement: Node, used: Span) -> bool:
     """Whether the condition only asks whether a pointer is null, and what is used behind is what it points to."""
-    found = _unfit(code, statement) if used.text.endswith("->") else None
+    found = _unfit(code, statement) if _FOLLOWED.search(used.text) else None
     return found is not None and bool(_NULL.search(found.string))
 
 
