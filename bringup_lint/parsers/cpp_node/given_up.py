@@ -44,13 +44,12 @@ _POINTERS = ("shared_ptr", "unique_ptr")
 _COMPARED = regex(r"\((?:!?(?P<empty>\w+)\.empty\(\)|(?P<name>\w+)(?:[=!]=|[<>]=?)[\w:.\[\]\"'-]{1,120})\)\Z")
 """A condition that compares one variable with a constant."""
 _READ = (
-    r"(?:\b{0}\s{{0,4}}=\s{{0,8}}(?:this->)?(?:get|declare)_parameter\s{{0,4}}(?:<[^<>;]{{0,80}}>)?"
+    r"\b{0}\s{{0,4}}=\s{{0,8}}(?:this->)?(?:get|declare)_parameter\s{{0,4}}(?:<[^<>;]{{0,80}}>)?"
     r"\((?:[^;()]|\([^;()]{{0,80}}\)){{0,200}}\)"
     r"(?:\.get_parameter_value\(\))?(?:\.(?:as_\w{{1,20}}|get(?:_value)?<[^<>;]{{0,80}}>)\(\))?\s{{0,4}};"
-    r"|\bget_parameter(?:_or)?\s{{0,4}}(?:<[^<>;]{{0,80}}>)?\([^;(),]{{0,80}},\s{{0,8}}{0}\s{{0,4}}[,)])"
-    r"(?![\s\S]*\b{0}\s{{0,4}}=[^=])"
+    r"|\bget_parameter(?:_or)?\s{{0,4}}(?:<[^<>;]{{0,80}}>)?\([^;(),]{{0,80}},\s{{0,8}}{0}\s{{0,4}}[,)]"
 )
-"""What gives a variable the value of a parameter as it is, where nothing sets it again."""
+"""What gives a variable the value of a parameter as it is."""
 _BRANCHES = frozenset({"if_statement", "else_clause", "catch_clause"})
 
 
@@ -144,7 +143,9 @@ def _is_setting(code: Code, function: Node, left: Node) -> bool:
     found = [_COMPARED.match(each) for each in conditions]
     names = {each["empty"] or each["name"] if each is not None else None for each in found}
     name = next(iter(names)) if len(names) == 1 else None
-    return name is not None and re.search(_READ.format(re.escape(name)), code.text(function)) is not None
+    text = code.text(function)
+    read = re.search(_READ.format(re.escape(name)), text) if name is not None else None
+    return read is not None and not re.search(rf"\b{name}\s{{0,4}}=[^=]", text[read.end() :])
 
 
 def _conditions(left: Node) -> Iterator[Node | None]:
