@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
@@ -16,10 +17,20 @@ from bringup_lint.graph.set_aside.texts import Texts
 from bringup_lint.graph.set_aside.texts import is_copy
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import is_variable
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 _ALIKE = 50
 """Files in the folders above with which one is compared."""
+_CALLS = regex(r"\bdocker(?:-compose|[ \t]+compose)(?![\w.-])", hints="compose")
+_ENTERED = (
+    r"(?:\b(?:cd|pushd|cp|mv|ln|rsync|scp)[ \t]|[ \t]-C|--(?:project-)?directory\b)[^\n;&|]{0,200}?"
+    r"(?<![\w.-])NAME(?![\w.-]|/[\w.-])"
+    r"|(?i:dir|cwd|folder|path|src)[\w-]{0,40}[\"']?[ \t]*[:=][ \t]*[\"']?(?:[^\s\"'=]{0,200}/)?NAME/?[\"']?[ \t]*"
+    r"(?=[,)}]|$)"
+    r"|(?<![\w.-])NAME/(?![\w-]|\.[\w.])"
+)
+"""What enters a folder or takes it as a whole; NAME is its name."""
 
 
 class MisplacedCopies:
@@ -64,8 +75,17 @@ class MisplacedCopies:
         return found
 
     def _is_named(self, source: Source) -> bool:
-        place = "/".join(self._texts.path_of(source.absolute).split("/")[-2:])
-        return any(place in each.text for each in self._texts.saying(source.basename, source))
+        """Whether a text names the file or enters its folder, or one beside it calls docker compose."""
+        path = self._texts.path_of(source.absolute)
+        folder, place = os.path.dirname(path), "/".join(path.split("/")[-2:])
+        beside = (each for each in self._texts.by_folder.get(folder, ()) if each.path != path)
+        if any(_CALLS.search(each.text) for each in beside):
+            return True
+        if any(place in each.text for each in self._texts.saying(source.basename, source)):
+            return True
+        name = os.path.basename(folder)
+        entered = re.compile(_ENTERED.replace("NAME", re.escape(name)), re.M)
+        return any(entered.search(each.text) for each in self._texts.saying(name, source))
 
     def _above(self, source: Source) -> Iterator[ComposeFile]:
         """The compose files in the folders above that of one."""
