@@ -2,8 +2,8 @@
 
 ## What it finds
 A bind mount of `/dev/serial`, `/dev/v4l` or a folder below, such as `/dev/serial/by-id`, in a service that is not
-privileged and maps neither `/dev` nor a device of that kind. It is info where a page of the tree tells people to add
-the devices with `--device` when they start the container.
+privileged and maps neither `/dev` nor a device of that kind. It is info where a page of the tree tells people to start
+the image with `docker run` and `--device`.
 
 ## Why it matters on a robot
 The folder holds links to `../../ttyUSB0`. In the container there is no `/dev/ttyUSB0`, so every link leads nowhere and
@@ -40,6 +40,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import Volume
+from bringup_lint.api.docker import image_name
 
 LINKS = {
     regex(r"/dev/serial(?:/by-(?:id|path))?/?"): regex(r"/dev/?$|/dev/(?:tty|serial)|.*\$"),
@@ -50,8 +51,11 @@ LINKS = {
 
 PAGE = regex(r"\.(?:md|rst|txt|adoc)$")
 MOST = 200_000
+RUN = regex(r"\bdocker[ \t]+(?:container[ \t]+)?run[ \t\\](?:\\\n|[^\n]){0,2000}", hints="docker")
+"""A command of people that starts a container, with its continued lines."""
 GIVEN = regex(r"--device[ =][\"']?/dev/(?P<kind>tty|serial|video|v4l|media)", hints="--device")
-"""How people add a device to a container that they start."""
+"""How they add a device."""
+WORD = regex(r"[^\s`\"']+")
 
 
 @rule("error", symptoms=["could not open port /dev/serial/by-id", "No such file or directory: '/dev/serial/by-id"])
@@ -63,14 +67,20 @@ def serial_links_only(robot: Robot) -> Iterator[Finding]:
                     folder,
                     f"{folder} holds links only: the devices that they lead to are not in the container",
                     advice="map the device itself below devices:, by its link",
-                    severity="info" if _is_given_by_hand(robot, brings) else None,
+                    severity="info" if _is_given_by_hand(robot, service, brings) else None,
                 )
 
 
-def _is_given_by_hand(robot: Robot, brings: re.Pattern[str]) -> bool:
-    """Whether a page tells people to add such a device."""
-    pages = robot.tree.pages(PAGE, MOST)
-    return any(brings.match(f"/dev/{match['kind']}") for text in pages for match in GIVEN.finditer(text))
+def _is_given_by_hand(robot: Robot, service: Service, brings: re.Pattern[str]) -> bool:
+    """Whether a page tells people to start the image themselves, with such a device."""
+    image = image_name(service.image).repository if service.image is not None else None
+    commands = (match[0] for text in robot.tree.pages(PAGE, MOST) for match in RUN.finditer(text))
+    return any(
+        brings.match(f"/dev/{given['kind']}")
+        and any(image_name(word).repository == image for word in WORD.findall(command))
+        for command in commands
+        for given in GIVEN.finditer(command)
+    )
 
 
 def _without_devices(service: Service) -> Iterator[tuple[Located, re.Pattern[str]]]:
