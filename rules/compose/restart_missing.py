@@ -43,8 +43,13 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.ros import is_simulation
 
+GAP = r"(?:[ \t]|\\\r?\n){1,40}"
+WORD = r"(?:[^\s\"]{0,200}\"[^\"\n]{0,200}\"[^\s\"]{0,200}|[^\s\"]{1,200})"
 CALLS = regex(
-    r"\bdocker(?:-compose|[ \t]+compose)\b(?!\.ya?ml)(?![^\n]{0,200}\s(?:-d|--detach)(?![\w-]))[^\n]{0,200}\bup\b",
+    r"\bdocker(?:-compose|[ \t]+compose)"
+    rf"(?:{GAP}(?:(?:-[fp]|--(?:file|profile|env-file|project-name|project-directory|progress|ansi|parallel)){GAP}{WORD}"
+    rf"|--?[a-zA-Z]{WORD}|[\"']?\$\S{{1,100}})){{0,12}}{GAP}up(?![\w.-])(?![ \t]+(?:to|and[ \t]+running)\b)"
+    r"(?!(?:\\\r?\n|[^\n;&|]){0,400}\s(?:-d|--detach|--wait)(?![\w-]))",
     hints="compose",
 )
 """Commands that start containers and stay with them, also in comments, which tell people to run them."""
