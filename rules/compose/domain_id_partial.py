@@ -5,8 +5,9 @@
 variable nor an env file. Only services whose images are the same, have the same namespace, or are official ROS images
 are compared, and only those that one choice of `profiles` starts together. Silent for bridges between domains, such as
 domain_bridge, the DDS Router and zenoh-bridge-ros2dds: they are in the domains that their own configuration names.
-Silent, too, for a service that extends one of another file, and where a step of its image, a script of its command or
-a file that it mounts, such as `.bashrc`, speaks of the variable.
+Silent, too, for a service that extends one of another file, and where its image, its command or a file that it mounts
+gives the variable a value. A file that only interactive shells read, such as `.bashrc`, counts where the service runs
+one.
 
 ## Why it matters on a robot
 Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
@@ -33,6 +34,7 @@ When the service is in another domain on purpose, for example a simulator.
 - https://github.com/hucebot/g1pilot/issues/30
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -43,9 +45,21 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Beside
 from bringup_lint.api.compose import Service
+from bringup_lint.api.compose import Volume
+from bringup_lint.api.docker import Instruction
 
 _ALL = ("", "")
 BRIDGE = regex(r"domain_bridge|dds-?router|zenoh-bridge")
+ASSIGNED = regex(
+    r"(?<![\w$\{])(?P<name>ROS_DOMAIN_ID|RMW_IMPLEMENTATION)"
+    r"(?:=(?![\"']?\$\$\{?(?P=name)\b(?!:))|[\"']?(?:\]?[ \t]*=(?!=)|:[ \t]))"
+    r"|SetEnvironmentVariable\([^\w\n]{0,40}(?P<set>ROS_DOMAIN_ID|RMW_IMPLEMENTATION)"
+)
+STARTUP = regex(r"bashrc|bash_profile|\.profile\b|zshrc|/etc/profile")
+"""Files that only login shells and interactive ones read."""
+INTERACTIVE = regex(
+    r"(?:^|[\s/])(?:ba|z)?sh[ \t]+(?:-[a-z]*[il]|--login)|(?:^|[\s/])(?:ba|z)?sh[ \t]*$|\b(?:tmux|screen|byobu)\b"
+)
 DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
 
@@ -85,15 +99,46 @@ def _is_set_otherwise(robot: Robot, service: Service, name: str) -> bool:
     """Whether the service may get the variable from another file: from what it extends, from its image, or from what
     it mounts."""
     compose = robot.compose
-    if compose.extends_elsewhere(service) or any(name in text for text in service.scripts):
+    if compose.extends_elsewhere(service) or any(_assigns(text, name) for text in service.scripts):
         return True
     stage = compose.stage(service)
-    stages = stage.chain if stage is not None else ()
-    if any(name in text for each in stages for step in each.instructions for text in (step.value, *step.heredocs)):
+    steps = (step for each in (stage.chain if stage is not None else ()) for step in each.instructions)
+    return any(_sets(service, step, name) for step in steps) or any(
+        _brings(robot, service, volume, name) for volume in service.volumes
+    )
+
+
+def _sets(service: Service, step: Instruction, name: str) -> bool:
+    """Whether a step of an image gives the variable to what the service runs; an ARG is for the build alone."""
+    if step.name == "ENV" and step.value.startswith(f"{name} "):
         return True
-    paths = (volume.source for volume in service.volumes if volume.source is not None)
-    mounted = (robot.tree.beside(service.source, path) for path in paths if path.startswith("."))
-    return any(each is not None and name in each.text for each in mounted)
+    text = " ".join((step.value, *step.heredocs))
+    if step.name == "ARG" or not _assigns(text, name):
+        return False
+    return STARTUP.search(text) is None or _reads(service, "")
+
+
+def _brings(robot: Robot, service: Service, volume: Volume, name: str) -> bool:
+    """Whether a mounted file gives the variable to what the service runs."""
+    if volume.source is None or not volume.source.startswith("."):
+        return False
+    file, target = robot.tree.beside(service.source, volume.source), str(volume.target)
+    if file is None or not _assigns(file.said, name):
+        return False
+    return STARTUP.search(target) is None or _reads(service, posixpath.basename(target))
+
+
+def _assigns(text: str, name: str) -> bool:
+    return name in text and any(name in (match["name"], match["set"]) for match in ASSIGNED.finditer(text))
+
+
+def _reads(service: Service, file: str) -> bool:
+    """Whether the service runs an interactive shell, or names the file that such a shell reads."""
+    words = " ".join(service.scripts)
+    if not words or INTERACTIVE.search(words):
+        return True
+    values = (each.value for each in service.environment.values() if each.value is not None)
+    return file != "" and any(file in text for text in (words, *values))
 
 
 class Comparable:
