@@ -50,6 +50,8 @@ class Volume(NamedTuple):
     target: Located | None
     read_only: bool
     where: Located
+    kind: str = ""
+    """What ``type:`` says; empty in the short form."""
 
 
 class Device(NamedTuple):
@@ -205,7 +207,9 @@ class Service:
                 elif isinstance(item, Mapping) and (target := item.scalar("target")):
                     source, flag = item.scalar("source"), item.scalar("read_only")
                     read_only = bool(flag and flag.boolean)
-                    found.append(Volume(source.value if source else None, target.value, read_only, target.value))
+                    place = source.value if source else None
+                    kind = item.scalar("type")
+                    found.append(Volume(place, target.value, read_only, target.value, str(kind.value) if kind else ""))
         return found
 
     @property

@@ -65,7 +65,8 @@ def _of_service(service: Service, defined: set[str]) -> Iterator[Finding]:
         if volume.source is None or kept.source is None:
             continue
         if posixpath.normpath(kept.source) != posixpath.normpath(volume.source):
-            is_left = NAME.fullmatch(volume.source) is not None and volume.source not in defined
+            is_named = volume.kind in ("", "volume") and NAME.fullmatch(volume.source) is not None
+            is_left = is_named and volume.source not in defined
             yield finding(
                 volume.where,
                 f"docker compose keeps only the last mount at {path}: {volume.source} does not get into "
