@@ -2,8 +2,8 @@
 
 ## What it finds
 `privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. The services of a
-tree are one finding, and those that enter the namespaces of the host with nsenter are another one: for them, no
-shorter list of rights would do. It is info where a comment says which devices need it, for a place to
+tree are one finding, and those that enter the namespaces of the host with `pid: host` and nsenter are another one: for
+them, no shorter list of rights would do. It is info where a comment says which devices need it, for a place to
 work in: a terminal or a desktop without a command of the robot, and for the driver of a ZED X camera, which mounts its
 daemon: Stereolabs documents no list of devices that would do.
 
@@ -54,7 +54,9 @@ REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bd
 MOST = 20
 ZED_X = regex(r"/zed_x_daemon\.service$")
 ENTERS = regex(r"\bnsenter\b[^\n]{0,200}?\s(?:-t|--target)[ =]?1\b", hints="nsenter")
-OF_HOST = "let it ask for a password and listen to 127.0.0.1 alone, or start it only while somebody needs it"
+TERMINAL = regex(r"\b(?:ttyd|wetty|gotty|shellinabox)")
+OF_HOST = "let a systemd unit of the host run them instead"
+OF_TERMINAL = "let it ask for a password and listen to 127.0.0.1 alone, or start it only while somebody needs it"
 OF_DEVICES = "list what it needs instead: devices:, device_cgroup_rules:, cap_add:"
 OF_CLASSES = (
     "name the devices below devices:; for those that come and go, keep the mount of /dev and allow their classes "
@@ -69,29 +71,30 @@ def privileged(robot: Robot) -> Iterator[Finding]:
         key = service.key("privileged")
         if key is not None and service.is_privileged:
             places.setdefault(key.span, []).append(service)
-    alike: dict[tuple[Purpose, bool], dict[Span, list[Service]]] = {}
+    alike: dict[tuple[Purpose, str | None], dict[Span, list[Service]]] = {}
     for place, services in places.items():
         if _is_meant(robot, place, services):
             yield _report({place: services}, "info")
         else:
-            alike.setdefault((robot.purpose(place), all(map(_enters_host, services))), {})[place] = services
-    for (_, enters), found in alike.items():
-        yield _report(found, None, enters=enters)
+            alike.setdefault((robot.purpose(place), _advice_of_host(services)), {})[place] = services
+    for (_, advice), found in alike.items():
+        yield _report(found, None, advice)
 
 
-def _report(found: dict[Span, list[Service]], severity: str | None, *, enters: bool = False) -> Finding:
-    """One finding for all places of a tree."""
+def _report(found: dict[Span, list[Service]], severity: str | None, of_host: str | None = None) -> Finding:
+    """One finding for all places of a tree; with the advice for those that run commands on the host."""
     (place, services), *others = found.items()
     first, more = services[0].name, sum(map(len, found.values())) - 1
     who = f"Service '{first}'{f' (and {more} more)' if more else ''}"
     volumes = (volume for each in found.values() for service in each for volume in service.volumes)
+    reaches = "reaches" if of_host == OF_TERMINAL else "breaks into"
     all_devices = any(volume.source == "/dev" for volume in volumes)
     return finding(
         place,
-        f"{who} runs commands as root on the host, outside of its container: so does whoever reaches it"
-        if enters
+        f"{who} runs commands as root on the host, outside of its container: so does whoever {reaches} it"
+        if of_host
         else f"{who} is privileged: whoever becomes root in it is root on the host",
-        advice=OF_HOST if enters else OF_CLASSES if all_devices else OF_DEVICES,
+        advice=of_host or OF_CLASSES if all_devices else OF_DEVICES,
         related=[
             *_named(services),
             *_device_mounts(services),
@@ -113,9 +116,21 @@ def _drives_zed_x(service: Service) -> bool:
     return any(ZED_X.search(volume.source or "") for volume in service.volumes)
 
 
+def _advice_of_host(services: list[Service]) -> str | None:
+    """The advice for services that all run commands on the host."""
+    if not all(map(_enters_host, services)):
+        return None
+    return OF_TERMINAL if all(map(_is_terminal, services)) else OF_HOST
+
+
 def _enters_host(service: Service) -> bool:
-    """Whether what it runs is in the namespaces of the first process of the host."""
-    return ENTERS.search(" ".join(service.scripts)) is not None
+    """Whether what it runs is in the namespaces of the first process of the host, which it sees."""
+    return service.scalar("pid") == "host" and ENTERS.search(" ".join(service.scripts)) is not None
+
+
+def _is_terminal(service: Service) -> bool:
+    """Whether people reach its shell with a browser."""
+    return any(TERMINAL.search(text) for text in (service.image or "", *service.scripts))
 
 
 def _named(services: list[Service]) -> list[Related]:
