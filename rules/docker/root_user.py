@@ -54,6 +54,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import reach
+from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import holds_ros
@@ -82,6 +83,7 @@ LEAVES = regex(
 )
 """A command that another user runs."""
 HOME_OF_ROOT = regex(r"(?<![\w./-])/root(?![\w.-])", hints="/root")
+REMOVED = regex(r"\brm[ \t](?:\\\n|[^\n;&|]){0,900}", hints="rm")
 MOST = 20
 OF_BUILD = frozenset({"build", "image", "profiles", "platform", "container_name", "extends"})
 """Keys of a service that is there to build an image."""
@@ -164,9 +166,16 @@ def _advice(image: AsRoot) -> str:
     """How the container does without root: what it still needs then has to be open to the user."""
     groups = " in the groups of its devices (group_add: [dialout])" if image.far else ""
     steps = (each for stage in image.stage.chain for each in stage.instructions)
-    in_home = any(HOME_OF_ROOT.search(each.value) for each in steps)
+    in_home = any(HOME_OF_ROOT.search(_kept(each)) for each in steps)
     moved = ", move what it runs and reads out of /root, which only root may enter" if in_home else ""
     return f"create an unprivileged user{groups}{moved}, and end the file with USER"
+
+
+def _kept(step: Instruction) -> str:
+    """A step without what it removes, and without the paths of another image from which it copies."""
+    if any(flag.startswith("--from=") for flag in step.flags):
+        return (step.exec_form or str(step.value).split())[-1]
+    return REMOVED.sub("", step.value)
 
 
 def _only_builds(service: Service) -> bool:
