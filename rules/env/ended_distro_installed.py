@@ -8,7 +8,7 @@ distribution of ROS 2 only, env/ros-distro-eol reports it.
 Silent for files that are for that distribution by their name or folder, for those of tests, simulation and development,
 and for packages that are removed, held or marked. Info where all of the files are in folders for a release of Ubuntu,
 such as `20.04`, are scripts that start a container with `docker run --rm` or write the Dockerfile for it, or are
-Dockerfiles that nothing builds in a tree that names a supported distribution as well.
+Dockerfiles that nothing builds, and that start no node, in a tree that names a supported distribution as well.
 
 ## Why it matters on a robot
 Security holes stay open, the Ubuntu release that the distribution is built for ends with it, and the package server
@@ -69,6 +69,7 @@ KEPT = regex(
 """A command that takes packages away, or marks those that are there."""
 WRITTEN = regex(r"<<-?[ \t]*[\"']?(?P<end>\w{1,40})[^\n]{0,200}", hints="<<")
 LONGEST = 1000
+STARTS = regex(r"\bros2[\s\"',]{1,9}(?:launch|run)\b|\broslaunch\b|\brosrun\b", hints="ros")
 THROWN_AWAY = regex(r"\bdocker[ \t]+run\b[^\n]{0,200}[ \t]--rm\b", hints="docker")
 
 
@@ -115,10 +116,21 @@ def _is_apart(robot: Robot, place: Located) -> bool:
     if VERSION.search(source.name) or _is_written_for_tool(source, place.span.start):
         return True
     if source.kind == "dockerfile" and _supported(robot):
-        return not any(docker.is_used(robot.compose, file) for file in robot.dockerfiles if file.source is source)
+        files = [file for file in robot.dockerfiles if file.source is source]
+        return not any(docker.is_used(robot.compose, file) or _starts_ros(robot, file) for file in files)
     runs = THROWN_AWAY.finditer(source.text) if source.kind == "shell-script" else ()
     started = [run.end() for run in runs if run.end() <= place.span.start]
     return bool(started) and _is_one_command(source.text[started[-1] : place.span.start])
+
+
+def _starts_ros(robot: Robot, file: docker.Dockerfile) -> bool:
+    """Whether the image runs nodes by itself: it may be for the robot, whoever builds it."""
+    stages = file.stages[-1:]
+    steps = (stage.last(name) for stage in stages for name in ("ENTRYPOINT", "CMD"))
+    texts = [str(step.value) for step in steps if step is not None]
+    runners = (runner for stage in stages for runner in robot.runners.of_stage(stage))
+    texts += [text for runner in runners for line in runner.lines for text in line.texts]
+    return any(STARTS.search(text) for text in texts)
 
 
 def _is_written_for_tool(source: Source, start: int) -> bool:
