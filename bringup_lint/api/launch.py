@@ -47,6 +47,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.python_api import refused_calls
     from bringup_lint.graph.launch.python_api import removed_keywords
     from bringup_lint.graph.launch.questions.allowed_words import allowed_words
+    from bringup_lint.graph.launch.questions.controllers import MANAGER
+    from bringup_lint.graph.launch.questions.controllers import SPAWNER
+    from bringup_lint.graph.launch.questions.controllers import has_controllers_apart
+    from bringup_lint.graph.launch.questions.controllers import is_manager
+    from bringup_lint.graph.launch.questions.controllers import starts_controllers
     from bringup_lint.graph.launch.questions.copied_packages import copied_packages
     from bringup_lint.graph.launch.questions.delays import delayed
     from bringup_lint.graph.launch.questions.delays import undelayed
@@ -151,7 +156,9 @@ else:
 
 __all__ = [
     "AT_RUN_TIME",
+    "MANAGER",
     "OF_LAUNCH",
+    "SPAWNER",
     "Action",
     "Argument",
     "Choice",
@@ -223,8 +230,10 @@ __all__ = [
     "gone_arguments",
     "gone_packages",
     "happens_anyway",
+    "has_controllers_apart",
     "in_degrees",
     "is_known_package",
+    "is_manager",
     "is_plain",
     "is_real_clock",
     "is_used",
@@ -265,6 +274,7 @@ __all__ = [
     "simulated_by_public",
     "simulated_literally",
     "simulates_nothing",
+    "starts_controllers",
     "switched_by_program",
     "text_of",
     "transitions_elsewhere",

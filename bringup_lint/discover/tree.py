@@ -485,6 +485,17 @@ class Tree:
         """The first bytes of each file whose path matches, of whatever kind, as text."""
         return (self.head(path, size) for path in self.like(pattern))
 
+    def says(self, pages: re.Pattern[str], size: int, pattern: re.Pattern[str]) -> bool:
+        """Whether one of these has a match of a pattern that a module holds; searched once for all that ask."""
+        if (pages, pattern) not in self._said:
+            self._said[pages, pattern] = any(map(pattern.search, self.pages(pages, size)))
+        return self._said[pages, pattern]
+
+    @cached_property
+    def _said(self) -> dict[tuple[re.Pattern[str], re.Pattern[str]], bool]:
+        """What ``says`` answered."""
+        return {}
+
     @cached_property
     def _like(self) -> dict[re.Pattern[str], list[str]]:
         """What ``like`` answered."""

@@ -123,7 +123,7 @@ def _brings(robot: Robot, service: Service, volume: Volume, name: str) -> bool:
     if volume.source is None or not volume.source.startswith("."):
         return False
     file, target = robot.tree.beside(service.source, volume.source), str(volume.target)
-    if file is None or not _assigns(file.said, name):
+    if file is None or not file.once((_assigns, name), lambda: _assigns(file.said, name)):
         return False
     return STARTUP.search(target) is None or _reads(service, posixpath.basename(target))
 

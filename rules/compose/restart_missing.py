@@ -66,7 +66,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_ros:
             files.setdefault(service.name.span.source, []).append(service)
-    called = bool(files) and (robot.mentions(CALLS) or any(map(CALLS.search, robot.tree.pages(PAGE, MOST))))
+    called = bool(files) and (robot.mentions(CALLS) or robot.tree.says(PAGE, MOST, CALLS))
     for services in files.values():
         lacking = [each for each in services if _is_lacking(each)]
         alone = len(files) == len(services) == 1

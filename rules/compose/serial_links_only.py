@@ -60,27 +60,30 @@ WORD = regex(r"[^\s`\"']+")
 
 @rule("error", symptoms=["could not open port /dev/serial/by-id", "No such file or directory: '/dev/serial/by-id"])
 def serial_links_only(robot: Robot) -> Iterator[Finding]:
+    by_hand: set[tuple[str, str | None]] | None = None
     for service in robot.compose.whole_services:
         if service.source.judged and not service.is_privileged:
             for folder, brings in _without_devices(service):
+                if by_hand is None:
+                    by_hand = set(_given_by_hand(robot))
+                image = image_name(service.image).repository if service.image is not None else None
+                is_given = any(brings.match(path) for path, given in by_hand if given == image)
                 yield finding(
                     folder,
                     f"{folder} holds links only: the devices that they lead to are not in the container",
                     advice="map the device itself below devices:, by its link",
-                    severity="info" if _is_given_by_hand(robot, service, brings) else None,
+                    severity="info" if is_given else None,
                 )
 
 
-def _is_given_by_hand(robot: Robot, service: Service, brings: re.Pattern[str]) -> bool:
-    """Whether a page tells people to start the image themselves, with such a device."""
-    image = image_name(service.image).repository if service.image is not None else None
-    commands = (match[0] for text in robot.tree.pages(PAGE, MOST) for match in RUN.finditer(text))
-    return any(
-        brings.match(f"/dev/{given['kind']}")
-        and any(image_name(word).repository == image for word in WORD.findall(command))
-        for command in commands
-        for given in GIVEN.finditer(command)
-    )
+def _given_by_hand(robot: Robot) -> Iterator[tuple[str, str]]:
+    """The devices that pages tell people to give to an image which they start themselves, each with what may be the
+    image."""
+    for text in robot.tree.pages(PAGE, MOST):
+        for match in RUN.finditer(text):
+            for given in GIVEN.finditer(match[0]):
+                for word in WORD.findall(match[0]):
+                    yield f"/dev/{given['kind']}", image_name(word).repository
 
 
 def _without_devices(service: Service) -> Iterator[tuple[Located, re.Pattern[str]]]:

@@ -85,7 +85,7 @@ def secret_in_layer(robot: Robot) -> Iterator[Finding]:
 
 def _is_pushed(robot: Robot) -> bool:
     """Whether something of the tree puts images into a registry."""
-    return any(PUSH.search(text) for text in robot.tree.pages(CALLING, MOST))
+    return robot.tree.says(CALLING, MOST, PUSH)
 
 
 def _copied(stage: Stage) -> Iterator[Located]:

@@ -51,7 +51,6 @@ from bringup_lint.api.python import with_keyword
 from bringup_lint.api.topics import device_role
 
 WATCHED_ROLES = ("driver", "hardware")
-MANAGER, SPAWNER = "ros2_control_node", "spawner"
 COMMANDS = regex(
     r"\b(?:load|set|switch)_controller|\bcontroller_manager[ \t]{1,4}spawner\b",
     hints="load_controller set_controller switch_controller spawner",
@@ -80,7 +79,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
     for expansion, node, role, supervised, restarted in unwatched(robot):
         missed = bool(restarted) or (supervised and role != "odometry")
         severity = None if missed and not is_option(node) and not has_simulated_time(node) else "info"
-        if is_manager(node) and not drives_hardware(robot, expansion):
+        if launch.is_manager(node) and not drives_hardware(robot, expansion):
             severity = "info"
         elif severity and is_whole_hardware(expansion, node):
             apart.append(node)
@@ -161,16 +160,14 @@ def restarted_in(robot: Robot, expansion: launch.Expansion) -> dict[int, list[la
     return found
 
 
-def is_manager(node: launch.Started) -> bool:
-    return launch.literal_text(node.executable) == MANAGER
-
-
 def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool:
     """Whether a launch file starts the controller manager beside nodes that outlive it."""
-    if not is_manager(node) or is_option(node):
+    if not launch.is_manager(node) or is_option(node):
         return False
     lasting = (each for each in expansion.nodes if each.is_node and each.by_default is True and each.span != node.span)
-    return any(launch.literal_text(each.executable) not in (None, SPAWNER, "create", MANAGER) for each in lasting)
+    return any(
+        launch.literal_text(each.executable) not in (None, launch.SPAWNER, "create", launch.MANAGER) for each in lasting
+    )
 
 
 def drives_hardware(robot: Robot, expansion: launch.Expansion) -> bool:
@@ -178,7 +175,8 @@ def drives_hardware(robot: Robot, expansion: launch.Expansion) -> bool:
     topics: those beside the manager, others apart from any, or commands."""
     if has_only_topics(robot, expansion):
         return False
-    return expansion.opaque or starts_controllers(expansion) or robot.mentions(COMMANDS) or _starts_apart(robot)
+    starts_some = expansion.opaque or launch.starts_controllers(expansion) or robot.mentions(COMMANDS)
+    return starts_some or launch.has_controllers_apart(robot.launch)
 
 
 def has_only_topics(robot: Robot, expansion: launch.Expansion) -> bool:
@@ -190,15 +188,6 @@ def has_only_topics(robot: Robot, expansion: launch.Expansion) -> bool:
         return False
     named = {name for name in depends if any(part in name for part in DEVICES)}
     return named.union(each.partition("/")[0] for each in robot.plugins.described) <= NO_DEVICES
-
-
-def starts_controllers(expansion: launch.Expansion) -> bool:
-    return any(launch.literal_text(each.executable) == SPAWNER for each in expansion.nodes)
-
-
-def _starts_apart(robot: Robot) -> bool:
-    """Whether a launch file starts controllers of a manager that another one starts."""
-    return any(starts_controllers(each) and not any(map(is_manager, each.nodes)) for each in robot.launch.entries)
 
 
 def shut_down(node: launch.Started) -> Fix | None:

@@ -98,7 +98,7 @@ def _takes_answers(robot: Robot, file: Dockerfile) -> bool:
     copies = (str(each.value) for stage in file.stages for each in stage.all("COPY", "ADD"))
     if not any("apt.conf" in text for text in copies):
         return False
-    return any(map(CONFIGURED.search, robot.tree.pages(SETTINGS, MOST)))
+    return robot.tree.says(SETTINGS, MOST, CONFIGURED)
 
 
 def _of_image(stage: Stage) -> Iterator[Finding]:

@@ -111,7 +111,7 @@ def _findings(robot: Robot, words: Iterable[Located], codename: str, related: li
 
 
 def _may_be_old_debian(robot: Robot) -> bool:
-    return robot.mentions(OLD_DEBIAN) or any(map(OLD_DEBIAN.search, robot.tree.pages(PAGE, MOST)))
+    return robot.mentions(OLD_DEBIAN) or robot.tree.says(PAGE, MOST, OLD_DEBIAN)
 
 
 def _of_stage(stage: Stage) -> Iterator[Located]:

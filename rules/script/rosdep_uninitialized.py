@@ -64,7 +64,7 @@ def rosdep_uninitialized(robot: Robot) -> Iterator[Finding]:
         if words[:1] == ("rosdep",) and words[1:2] in (("update",), ("install",)) and not is_forgiven(command):
             used.setdefault(words[0].span.source, []).append(words[0])
     found = {source: words for source, words in used.items() if source in installing}
-    if found and not any(SET_UP.search(text) for text in robot.tree.pages(TEXT, SIZE)):
+    if found and not robot.tree.says(TEXT, SIZE, SET_UP):
         for first, *others in found.values():
             yield finding(
                 first,

@@ -102,13 +102,10 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
     for secret in robot.secrets:
         key = str(secret.value.span.start) if secret.weak or secret.sample else str(secret.value)
         found.setdefault((secret.value.span.source, key), []).append(secret)
-    asks: bool | None = None
     for secrets in found.values():
         first, *others = sorted(secrets, key=lambda each: _is_commented(each.value))
         weak, default = first.weak or _is_of_product(first), _is_default_of_role(first)
-        is_first = weak and INITIAL.match(first.name) is not None
-        if is_first and asks is None:
-            asks = any(map(ASKS.search, robot.tree.pages(PROGRAM, MOST)))
+        replaced = weak and INITIAL.match(first.name) is not None and robot.tree.says(PROGRAM, MOST, ASKS)
         source = first.value.span.source
         who = WHO[first.holder]
         if first.holder == "env-file" and source.mode is not None:
@@ -126,7 +123,7 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
             message,
             advice=advice,
             related=[note(each.value, "the same secret") for each in others],
-            severity="info" if first.sample or (is_first and asks) else "warning" if lowered else None,
+            severity="info" if first.sample or replaced else "warning" if lowered else None,
             secrets=[each.value for each in (first, *others)],
         )
 

@@ -68,7 +68,7 @@ def unplaced_programs(tree: Tree, package: Package, started: Container[str]) -> 
     """The nodes in C++ that a build installs into no folder in particular, for which CMake takes ``bin``. None where a
     page of the tree says that they are elsewhere, or meant to be there."""
     found = list(_in_bin(tree, package, started))
-    if found and not any(_USES_BIN.search(page) for page in tree.pages(_PAGES, _READ)):
+    if found and not tree.says(_PAGES, _READ, _USES_BIN):
         yield from found
 
 
