@@ -101,11 +101,10 @@ def _is_set_otherwise(robot: Robot, service: Service, name: str) -> bool:
     compose = robot.compose
     if compose.extends_elsewhere(service) or any(_assigns(text, name) for text in service.scripts):
         return True
+    if any(_brings(robot, service, volume, name) for volume in service.volumes):
+        return True
     stage = compose.stage(service)
-    steps = (step for each in (stage.chain if stage is not None else ()) for step in each.instructions)
-    return any(_sets(service, step, name) for step in steps) or any(
-        _brings(robot, service, volume, name) for volume in service.volumes
-    )
+    return stage is not None and any(_sets(service, step, name) for each in stage.chain for step in each.instructions)
 
 
 def _sets(service: Service, step: Instruction, name: str) -> bool:

@@ -14,7 +14,7 @@ _INSTANCE = regex(r"(?<![\w-])(?P<stem>[\w:.\\-]{1,200}@)(?P<name>\{\{[^}\n]{1,8
 class NamedInstance(NamedTuple):
     source: Source
     name: str
-    """What stands behind the ``@``, without the suffix of a service."""
+    """What is after the ``@``, without the suffix of a service."""
 
 
 @kept

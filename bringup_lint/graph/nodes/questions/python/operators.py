@@ -32,7 +32,9 @@ def _operated(nodes: Nodes) -> set[tuple[Source, str, str]]:
     found: set[tuple[Source, str, str]] = set()
     for file in nodes.robot_code:
         objects = object_classes(nodes, file)
-        for value, method in (pair for each in file.nodes for pair in _operations(each)) if objects.any else ():
+        if not objects.any:
+            continue
+        for value, method in (pair for each in file.nodes for pair in _operations(each)):
             defined = objects.of(value)
             if defined is not None:
                 found.add((defined.file.source, defined.node.name, method))
