@@ -6,13 +6,12 @@ A service with Restart= and a start limit that acts too late or too early:
 - The unit sets a limit that can never trip: StartLimitBurst= × RestartSec= > StartLimitIntervalSec=. The setting
   has no effect, and a failing service restarts forever. With a delay of 60 s or more it is an info.
 - The limit is disabled, and the service restarts more than once a second, forever.
-- The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). Endless
-  retries after a pause are often wanted: it is an info, one for all services of the robot. With Restart=always it is a
-  warning in two cases: the unit says what is to happen when it fails (OnFailure=, FailureAction=, StartLimitAction=),
-  which never comes; or it starts `ros2 launch` again after less than 5 s. Both stay an info with a delay of 60 s or
-  more, and for a program that only connects to a board, a clock or another computer (a micro-ROS agent, rosbridge).
-  So does OnFailure= from systemd 254 on, which starts it after every single failure if not for RestartMode=direct
-  (systemd/onfailure-unreachable).
+- The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). It is one
+  finding for all such services of the robot. With Restart=always it is a warning in two cases: the unit starts ROS or a
+  program that no package of the distribution brings, or it says what is to happen when it fails (OnFailure=,
+  FailureAction=, StartLimitAction=), which never comes. Endless retries of other services are often wanted: they are
+  an info. So are both with a delay of 60 s or more, and a program that only connects to a board, a clock or another
+  computer (a micro-ROS agent, rosbridge).
 - The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default

@@ -11,6 +11,7 @@ from enum import Enum
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.systemd.questions.docker_clients import docker_starts
+from bringup_lint.graph.systemd.questions.unstartable import OF_NO_PACKAGE
 from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
@@ -24,8 +25,6 @@ SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
 FAST = 1.0
 """Seconds between restarts below which an endless loop loads the computer and the journal."""
-PAUSE = 5.0
-"""Seconds between restarts from which a loop does no harm to the rest of the robot."""
 FAILING_LAUNCH = 1.0
 """Seconds that ros2 launch needs at least to start and fail."""
 
@@ -177,8 +176,13 @@ def _endless(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None:
     if policy.own_limit:
         return Loop(Outcome.NEVER_TRIPS, policy.longest < SLOW)
     retries = policy.restart != "always" or policy.longest >= SLOW or only_connects(unit, units)
-    harms = unit in units.launching and policy.longest < PAUSE
-    return Loop(Outcome.NEVER_TRIPS, not retries and (harms or _acts_on_end(unit, units)))
+    return Loop(Outcome.NEVER_TRIPS, not retries and (_is_of_robot(unit, units) or _acts_on_end(unit, units)))
+
+
+def _is_of_robot(unit: Unit, units: Units) -> bool:
+    """Whether a unit starts ROS, or a program that no package of the distribution brings."""
+    words = (word for process in units.started(unit) for word in process.argv)
+    return unit in units.ros or any(map(OF_NO_PACKAGE.match, words))
 
 
 def _acts_on_end(unit: Unit, units: Units) -> bool:

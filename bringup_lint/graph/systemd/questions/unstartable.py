@@ -15,7 +15,9 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-_OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+", 0, "local/ opt/ etc/ home/ root/ srv/ var/ data/")
+OF_NO_PACKAGE = regex(
+    r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+", hints="local/ opt/ etc/ home/ root/ srv/ var/ data/"
+)
 """Where programs lie that no package of the distribution brings."""
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
@@ -41,7 +43,7 @@ class Unstartable(NamedTuple):
 def is_own_program(process: Process) -> bool:
     """Whether a command line must start a program of one's own, by a path that is known."""
     program, unit = process.program, process.unit
-    if "-" in process.prefixes or not _OWN.match(program) or "$" in program or "%" in program:
+    if "-" in process.prefixes or not OF_NO_PACKAGE.match(program) or "$" in program or "%" in program:
         return False
     return not unit.is_opaque(process.line) and not unit.get("RootDirectory") and not unit.get("RootImage")
 
