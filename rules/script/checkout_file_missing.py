@@ -64,7 +64,7 @@ READS = regex(
 )
 """What comes right before a path that is read."""
 BEFORE = 60
-ARGUMENT = regex(r"(?P<name>\w+):=[\"']?$")
+ARGUMENT = regex(r"(?<!\w)(?P<name>\w+):=[\"']?$")
 LAUNCHES = regex(
     r"\blaunch[ \t]{1,9}(?:-\S{1,40}[ \t]{1,9}){0,9}(?P<package>\w{1,80})[ \t]{1,9}(?P<file>[\w.-]{1,80})[ \t]"
 )
