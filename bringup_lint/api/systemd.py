@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.open_access import Offer
     from bringup_lint.graph.commands.open_access import open_access
     from bringup_lint.graph.commands.ros_command import Ros
-    from bringup_lint.graph.installed.ansible.kept_off import kept_off
     from bringup_lint.graph.installed.named_instances import named_instances
     from bringup_lint.graph.runners.questions.refused_writes import RefusedWrite
     from bringup_lint.graph.runners.questions.refused_writes import refused_writes
@@ -36,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.questions.ending import set_up
     from bringup_lint.graph.systemd.questions.hidden_home import HiddenHome
     from bringup_lint.graph.systemd.questions.hidden_home import hidden_home
+    from bringup_lint.graph.systemd.questions.kept_off import kept_off
     from bringup_lint.graph.systemd.questions.left_out import left_out_units
     from bringup_lint.graph.systemd.questions.limits import limit_line
     from bringup_lint.graph.systemd.questions.limits import missing_limits
