@@ -48,7 +48,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.launch import unread_arguments
 
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin")
 HOME = r"(?:~|\$HOME|\$\{HOME\}|%h|/home/[\w.-]{1,40}|/root)"
@@ -212,6 +211,8 @@ def _is_unread(robot: Robot, word: Located) -> bool:
     file = robot.launch.named(command["package"], command["file"]) if argument and command else None
     if argument is None or file is None:
         return False
+    from bringup_lint.api.launch import unread_arguments  # a script that launches nothing does not need it
+
     name, started = argument["name"], robot.launch.expansion(file)
     if any(each.declared.name == name for each in unread_arguments(robot.launch, file)):
         return True
