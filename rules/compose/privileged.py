@@ -94,7 +94,7 @@ def _report(found: dict[Span, list[Service]], severity: str | None, of_host: str
         f"{who} runs commands as root on the host, outside of its container: so does whoever {reaches} it"
         if of_host
         else f"{who} is privileged: whoever becomes root in it is root on the host",
-        advice=of_host or OF_CLASSES if all_devices else OF_DEVICES,
+        advice=of_host or (OF_CLASSES if all_devices else OF_DEVICES),
         related=[
             *_named(services),
             *_device_mounts(services),

@@ -26,6 +26,12 @@ def test_the_escape_of_a_space_in_fstab_is_printed() -> None:
     assert any("\\040" in finding["advice"] for finding in findings("fstab/field-count"))
 
 
+def test_commands_on_the_host_need_no_list_of_devices() -> None:
+    found = {each["message"].split("'")[1]: each["advice"] for each in findings("compose/privileged")}
+    assert found["console"].startswith("let it ask for a password")
+    assert found["tool"] == "let a systemd unit of the host run them instead"
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [
