@@ -44,11 +44,13 @@ def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
             continue
         client, names = ast.unparse(asked.func.value), _SENDS[asked.func.attr]
         later = list(_after(syntax, condition))
-        at = next((number for number, each in enumerate(later) if _is_sent(each, client, names)), len(later))
-        for found in later[at : at + 1]:
-            kind = "request" if asked.func.attr == "wait_for_service" else "goal"
-            is_limited = any(map(_is_limited, later[at + 1 :])) and _is_checked(syntax, found)
-            yield SentInVain(asked, found, kind, called_name(found) == names[1], is_limited)
+        at = next((number for number, each in enumerate(later) if _is_sent(each, client, names)), None)
+        if at is None:
+            continue
+        found = later[at]
+        kind = "request" if asked.func.attr == "wait_for_service" else "goal"
+        is_limited = any(map(_is_limited, later[at + 1 :])) and _is_checked(syntax, found)
+        yield SentInVain(asked, found, kind, called_name(found) == names[1], is_limited)
 
 
 def _is_limited(call: ast.Call) -> bool:

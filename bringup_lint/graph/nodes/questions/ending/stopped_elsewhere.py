@@ -29,15 +29,15 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
 
-def is_stopped_elsewhere(nodes: Nodes, command: Endpoint, own: Collection[object]) -> bool:
-    """``own``: the nodes that send the command, in Python or in C++."""
+def is_stopped_elsewhere(nodes: Nodes, command: Endpoint, senders: Collection[object]) -> bool:
+    """``senders``: the nodes that send the command, in Python or in C++."""
     topic = (command.name or "").rpartition("/")[2]
     if gate(nodes) is not None or firmware_looks_at_time(nodes) or topic in timed_topics(nodes):
         return True
-    others = [node for node in nodes.classes if node not in own]
+    others = [node for node in nodes.classes if node not in senders]
     if any(is_watched_relay(node, command) or _times_commands(nodes, node, topic) for node in others):
         return True
-    drivers = (each for each in nodes.cpp if each not in own and any(map(is_held, each.endpoints)))
+    drivers = (each for each in nodes.cpp if each not in senders and any(map(is_held, each.endpoints)))
     return any(looks_at_age(COMMENTS.sub("", with_header(nodes, each.source))) for each in drivers)
 
 
@@ -75,7 +75,7 @@ def _is_time(syntax: Syntax, part: ast.AST, times: set[str]) -> bool:
 
 def _looks_at(method: FunctionNode, kept: set[str]) -> bool:
     """Whether a method compares an attribute, or takes the difference to it."""
-    looks = (each for each in ast.walk(method) if isinstance(each, (ast.Compare, ast.BinOp)))
+    looks = (each for each in walk(method) if isinstance(each, (ast.Compare, ast.BinOp)))
     return any(is_own(part) and part.attr in kept for each in looks for part in walk(each))
 
 
