@@ -69,9 +69,9 @@ class Provided:
 
     def brings(self, known: Needed) -> bool:
         """Whether anything of the tree may bring it, an image of others and a repository of installers included."""
-        if any(map(_INSTALLERS.search, self._fetched)):
+        if self._fetches_installers or self._foreign_images:
             return True
-        if self._foreign_images or self._is_of_pattern(known) or known.words & self._variants:
+        if self._is_of_pattern(known) or known.words & self._variants:
             return True
         return self.installs(known)
 
@@ -91,6 +91,10 @@ class Provided:
         """Whether a word of what installs begins so."""
         at = bisect_left(self._sorted, begin)
         return at < len(self._sorted) and self._sorted[at].startswith(begin)
+
+    @cached_property
+    def _fetches_installers(self) -> bool:
+        return any(map(_INSTALLERS.search, self._fetched))
 
     @cached_property
     def _sorted(self) -> list[str]:

@@ -69,13 +69,16 @@ class Plugins:
     @cached_property
     def unknown(self) -> list[UnknownPlugin]:
         """Plugins that robot descriptions and parameter files name, and that no package exports."""
-        return Named(self._files, self._launch.workspace, self._params).unknown
+        return self._named.unknown
 
     @cached_property
     def described(self) -> frozenset[str]:
         """The classes of hardware and of transmissions that the robot descriptions name."""
-        named = Named(self._files, self._launch.workspace, self._params)
-        return frozenset(str(name) for each in named.descriptions for name in each.plugins)
+        return frozenset(str(name) for each in self._named.descriptions for name in each.plugins)
+
+    @cached_property
+    def _named(self) -> Named:
+        return Named(self._files, self._launch.workspace, self._params)
 
     @cached_property
     def untyped(self) -> list[list[UntypedPlugin]]:
