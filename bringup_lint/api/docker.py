@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.questions.missing_programs import MissingProgram
     from bringup_lint.graph.runners.questions.missing_programs import missing_programs
     from bringup_lint.graph.runners.questions.missing_settings import missing_settings
+    from bringup_lint.graph.runners.questions.missing_users import missing_users
     from bringup_lint.graph.runners.questions.processors import foreign_programs
     from bringup_lint.graph.runners.questions.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
@@ -110,6 +111,7 @@ __all__ = [
     "misplaced_mounts",
     "missing_programs",
     "missing_settings",
+    "missing_users",
     "mounting_service",
     "oldest_codename",
     "other_distros",

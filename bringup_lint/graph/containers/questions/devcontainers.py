@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.files import Files
     from bringup_lint.model.compose import ComposeFile
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.dockerfile import Stage
 
 _DOCKERFILE = (("dockerFile",), ("build", "dockerfile"))
 _CONTEXT = (("context",), ("build", "context"))
@@ -36,7 +38,7 @@ _IN_WORKSPACE = regex(r"(?:\.\./)?src/[\w.-]+/(?P<rest>[^/].*)", hints="src/")
 
 
 @dataclass(frozen=True)
-class _Container:
+class Container:
     source: Source
     values: dict[tuple[str, ...], list[Located]]
 
@@ -46,21 +48,42 @@ class _Container:
     def beside(self, path: str) -> str:
         return os.path.normpath(os.path.join(os.path.dirname(self.source.absolute), path))
 
+    def service(self, compose: Compose) -> Service | None:
+        """The service in which the container is, where only one of its compose files defines it."""
+        name = self.first(("service",))
+        files = [_compose_file(compose, self.beside(each)) for each in self.values.get(("dockerComposeFile",), ())]
+        found = [each for file in files if file is not None for each in file.services if str(each.name) == name]
+        return found[0] if len(found) == 1 and None not in files else None
+
+    def stage(self, compose: Compose) -> Stage | None:
+        """The stage of the Dockerfile from which the container is built."""
+        path = self.first(*_DOCKERFILE)
+        target = self.first(("build", "target"))
+        where = None if path is None else self.beside(path)
+        file = next((each for each in compose.images.dockerfiles if each.source.absolute == where), None)
+        if file is None:
+            return None
+        return file.final if target is None else file.stage(target)
+
+
+def containers(files: Files) -> Iterator[Container]:
+    """The development containers of the tree."""
+    for source in files.of_kind("devcontainer"):
+        if source.judged and not source.template:
+            values: dict[tuple[str, ...], list[Located]] = {}
+            for path, value in strings(source):
+                values.setdefault(path, []).append(value)
+            yield Container(source, values)
+
 
 def broken_references(files: Files, compose: Compose) -> Iterator[Broken]:
     """What the development containers of the tree name and what is certainly not there."""
-    for source in files.of_kind("devcontainer"):
-        if not source.judged or source.template:
-            continue
-        values: dict[tuple[str, ...], list[Located]] = {}
-        for path, value in strings(source):
-            values.setdefault(path, []).append(value)
-        container = _Container(source, values)
+    for container in containers(files):
         yield from _missing(files, container)
         yield from _undefined(compose, container)
 
 
-def _missing(files: Files, container: _Container) -> Iterator[Broken]:
+def _missing(files: Files, container: Container) -> Iterator[Broken]:
     named = (
         *(("Dockerfile", value) for value in [container.first(*_DOCKERFILE)]),
         *(("build context", value) for value in [container.first(*_CONTEXT)]),
@@ -78,14 +101,14 @@ def _missing(files: Files, container: _Container) -> Iterator[Broken]:
             yield Broken(what, value)
 
 
-def _fits_workspace(files: Files, container: _Container, value: str) -> bool:
+def _fits_workspace(files: Files, container: Container, value: str) -> bool:
     """Whether a path leads to a file of this repository once `.devcontainer` is copied to the root of a workspace,
     where the repository lies in ``src``."""
     inside = _IN_WORKSPACE.match(value)
     return inside is not None and files.tree.exists(container.beside(f"../{inside['rest']}"))
 
 
-def _undefined(compose: Compose, container: _Container) -> Iterator[Broken]:
+def _undefined(compose: Compose, container: Container) -> Iterator[Broken]:
     service = container.first(("service",))
     names = container.values.get(("dockerComposeFile",), [])
     if service is None or not names:
