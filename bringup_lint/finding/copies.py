@@ -1,6 +1,5 @@
 """One finding for what a rule says twice of one file, and for a line that a tree holds twice: in a template and in what
-was made of it, in a file and its copy under another name, or in two udev rules files of one name, of which only one is
-read on a robot."""
+was made of it, in a file and its copy, or in two udev rules files of one name, of which only one is read on a robot."""
 
 from __future__ import annotations
 
@@ -17,6 +16,7 @@ from bringup_lint.templates import final_name
 
 REPEATED = "the same here"
 """What is said of a place in the same file."""
+COPIED = "the same line in a copy"
 _MADE = regex(r"(?:^|/)(?:deploy|dist|out|output|build|install|generated|release)/")
 """Folders for what is made of other files."""
 
@@ -54,7 +54,7 @@ def _copied(ordered: list[Finding]) -> Iterator[Finding]:
         for number, found in enumerate(sorted(group, key=_rank)):
             keys = _alike(found.source, named=not found.source.template)
             alike = dict(pair for key in keys for pair in kept.get(key, {}).values())
-            first = min((at for at, one in alike.items() if _is_copy(found.source, one.source)), default=None)
+            first = min((at for at, one in alike.items() if _is_copy(found, one)), default=None)
             if first is None:
                 for key in _alike(found.source, named=bool(found.source.template)):
                     kept.setdefault(key, {}).setdefault(found.source.basename, (number, found))
@@ -63,7 +63,7 @@ def _copied(ordered: list[Finding]) -> Iterator[Finding]:
                 gone.add(id(found))
     for found in ordered:
         if id(found) not in gone:
-            yield _with(found, copies.get(id(found), []), "the same line in a copy")
+            yield _with(found, copies.get(id(found), []), COPIED)
 
 
 def _with(found: Finding, copies: list[Finding], words: str) -> Finding:
@@ -82,9 +82,11 @@ def _line(found: Finding, lines: dict[tuple[Source, int], str]) -> str:
     return lines[place]
 
 
-def _rank(found: Finding) -> tuple[int, bool, bool]:
-    """The worst comes first. A template is the original, and what lies in a folder of results is none."""
-    return -found.severity, not found.source.template, bool(_MADE.search(found.source.name))
+def _rank(found: Finding) -> tuple[int, bool, bool, int]:
+    """The worst comes first. A template is the original, and what lies in a folder of results is none; of others, what
+    lies in the fewest folders is."""
+    name = found.source.name
+    return -found.severity, not found.source.template, bool(_MADE.search(name)), name.count("/")
 
 
 def _alike(source: Source, *, named: bool) -> Iterator[Hashable]:
@@ -97,11 +99,15 @@ def _alike(source: Source, *, named: bool) -> Iterator[Hashable]:
         yield "made", final_name(source.basename)
 
 
-def _is_copy(source: Source, kept: Source) -> bool:
-    if source is kept:
+def _is_copy(found: Finding, kept: Finding) -> bool:
+    """Whether one file is a copy of the other. Copies of one name are of several robots or packages: what is said of
+    them is the same only where its words are."""
+    copy, first = found.source, kept.source
+    if copy is first:
         return False
-    if source.basename == kept.basename:
-        return source.kind == kept.kind == "udev-rules"
-    if final_name(source.basename) == final_name(kept.basename):
-        return bool(kept.template) and not source.template
-    return source.kind == kept.kind and source.text == kept.text
+    if copy.basename == first.basename:
+        said_alike = found.message == kept.message and found.severity == kept.severity
+        return copy.kind == first.kind and (copy.kind == "udev-rules" or (said_alike and copy.text == first.text))
+    if final_name(copy.basename) == final_name(first.basename):
+        return bool(first.template) and not copy.template
+    return copy.kind == first.kind and copy.text == first.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bringup_lint.finding import Finding
+from bringup_lint.finding.copies import COPIED
 from bringup_lint.finding.copies import REPEATED
 from bringup_lint.finding.place import inside
 from bringup_lint.report.columns import plain_start
@@ -17,10 +18,15 @@ def render(report: Report) -> str:
 
 def line(finding: Finding) -> str:
     message = " ".join(finding.message.split())
-    repeated = ", ".join(_position(each.span) for each in finding.related if each.message == REPEATED)
-    also = f" (also at {repeated})" if repeated else ""
-    place = f"{plain_start(finding.source.name)}:{_position(finding.span)}"
-    return printable(f"{place}: {finding.severity}[{finding.rule}] {message}{also}") + "\n"
+    others = [_position(each.span) for each in finding.related if each.message == REPEATED]
+    others += [_place(each.span) for each in finding.related if each.message == COPIED]
+    also = f" (also at {', '.join(others)})" if others else ""
+    return printable(f"{_place(finding.span)}: {finding.severity}[{finding.rule}] {message}{also}") + "\n"
+
+
+def _place(span: Span) -> str:
+    """``path:line:column``."""
+    return f"{plain_start(span.source.name)}:{_position(span)}"
 
 
 def _position(span: Span) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
+from bringup_lint.finding.copies import COPIED
 from bringup_lint.finding.place import place_of
 from bringup_lint.report.columns import printable
 from bringup_lint.report.frame import Mark
@@ -19,6 +20,7 @@ from bringup_lint.report.paint import Paint
 from bringup_lint.report.paint import painter
 from bringup_lint.report.summary import ending
 from bringup_lint.report.wrap import wrap
+from bringup_lint.source import Span
 
 NARROW = 40
 WIDE = 120
@@ -51,7 +53,8 @@ def block(finding: Finding, width: int, paint: Paint, above: Finding | None = No
     """The lines that tell one finding; without the advice that one of the same rule ``above`` gives as well."""
     style = str(finding.severity)
     yield from _headline(finding, style, min(width, WIDE), paint)
-    marks = [Mark(finding.span, style), *(Mark(span, "mark", message) for span, message in finding.related)]
+    related = (Mark(span, "mark", message) for span, message in finding.related if message != COPIED)
+    marks = [Mark(finding.span, style), *related]
     shown = frames(marks)
     gutter = max(len(str(frame.lines[-1])) if frame.lines else 1 for frame in shown)
     edge = paint("frame", f"{'':{gutter}} |")
@@ -77,6 +80,9 @@ def _headline(finding: Finding, style: str, width: int, paint: Paint) -> Iterato
 
 
 def _notes(finding: Finding) -> Iterator[tuple[str, str]]:
+    copies = [_place(span) for span, message in finding.related if message == COPIED]
+    if copies:
+        yield "copies", "\n".join(copies)
     if finding.chain:
         yield "path", "\n".join(_steps(finding))
     if finding.advice:
@@ -88,9 +94,14 @@ def _notes(finding: Finding) -> Iterator[tuple[str, str]]:
 
 def _steps(finding: Finding) -> Iterator[str]:
     for number, (span, message) in enumerate(finding.chain, 1):
-        place = place_of(span)
         yield f"{number}. {message}"
-        yield f"   {span.path}:{place.line}:{place.column}"
+        yield f"   {_place(span)}"
+
+
+def _place(span: Span) -> str:
+    """``path:line:column``, as editors understand it."""
+    place = place_of(span)
+    return f"{span.path}:{place.line}:{place.column}"
 
 
 def _note(name: str, text: str, gutter: int, width: int, paint: Paint) -> Iterator[str]:

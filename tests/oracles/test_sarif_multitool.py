@@ -58,6 +58,10 @@ AGENT = {
 """What the agent of Azure Pipelines says of a build."""
 
 
+OF_EACH = 5
+"""Rules of each family."""
+
+
 def complaints(multitool: Path, file: Path, rules: str = "Sarif;Gh") -> list[str]:
     settings = file.with_name("offline.xml")
     settings.write_text(OFFLINE, "utf-8")
@@ -100,7 +104,9 @@ def test_tool_does_complain(multitool: Path, tmp_path: Path) -> None:
 
 def test_findings_of_every_family_validate(multitool: Path, tmp_path: Path) -> None:
     options = ("--isolated", "--no-ignores", "--min-severity", "info", "--output-format", "sarif")
-    run = lint(*options, "fixtures", cwd=PROJECT)
+    families = sorted((PROJECT / "fixtures").glob("[a-z]*"))
+    trees = (tree for family in families for tree in sorted(family.glob("*/bad"))[:OF_EACH])
+    run = lint(*options, *trees, cwd=PROJECT)
     assert run.code == 1, run.stderr
     file = tmp_path / "fixtures.sarif"
     file.write_text(run.stdout, "utf-8")
