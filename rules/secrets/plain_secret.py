@@ -5,8 +5,8 @@ A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of A
 a private key, a password in a URL) shows that it is a secret. Checked are `Environment=` and command lines of
 units, environment files, compose files, Dockerfiles, parameter files and launch files. In Python nodes and scripts,
 literals of letters and digits with such a name are checked too. So are the passwords of hostapd, wpa_supplicant and
-NetworkManager, those that a script gives to `sshpass`, `x11vnc` or `nmcli`, and those that a Dockerfile gives to users
-where the image lets somebody log in.
+NetworkManager, those that a script gives to `sshpass`, `x11vnc`, `nmcli`, `openssl` or with `expect`, and those that a
+Dockerfile gives to users where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files that
 only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one in a

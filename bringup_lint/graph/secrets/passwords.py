@@ -50,6 +50,8 @@ _ACCOUNTS = (
     ),
 )
 """Commands that set the password of a user."""
+_ANSWER = r"\b(?P<program>expect)[ \t][^\n]{0,200}[Pp]assword[^\n]{0,100}\n[ \t]*send[ \t]+(?:--[ \t]+)?\\?[\"']"
+"""What a script of expect sends when it is asked for a password."""
 _PROGRAMS = (
     regex(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])", 0, "sshpass"),
     regex(
@@ -61,6 +63,13 @@ _PROGRAMS = (
         r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)",
         hints="nmcli",
     ),
+    regex(
+        r"\b(?P<program>openssl)[ \t](?:\\\r?\n|[^\n|;&]){0,600}?-pass(?:in|out)?[ \t]+(?P<quote>[\"']?)pass:"
+        + _SECRET
+        + r"(?P=quote)(?=\s|$)",
+        hints="openssl",
+    ),
+    regex(_ANSWER + _SECRET + r"\\{1,2}[nr]", hints="expect"),
 )
 """Commands that are given a password."""
 _BY_VARIABLE = regex(
@@ -70,6 +79,7 @@ _BY_VARIABLE = regex(
     hints="nmcli sshpass",
 )
 """Commands that are given a password by a variable."""
+_ANSWER_BY_VARIABLE = regex(_ANSWER + r"\$\{?(?P<variable>\w{1,60})\}?\\{1,2}[nr]", hints="expect")
 _REMOTE_LOGIN = regex(
     r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b", hints="sshd openssh-server xrdp vnc"
 )
@@ -132,7 +142,8 @@ def given_to_programs(files: Files) -> Iterator[Password]:
 
 def _by_variables(source: Source) -> Iterator[Password]:
     """The passwords that a script holds in variables of one literal value each."""
-    for use in _BY_VARIABLE.finditer(source.text):
+    uses = (use for pattern in (_BY_VARIABLE, _ANSWER_BY_VARIABLE) for use in pattern.finditer(source.text))
+    for use in uses:
         name = re.escape(use["variable"])
         assigned = list(
             re.finditer(rf"(?<![\w$]){name}=(?P<quote>[\"']?){_SECRET}?(?P=quote)(?=[ \t;]|$)", source.text, re.M)
