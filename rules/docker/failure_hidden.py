@@ -5,8 +5,8 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 - `A && B && C || D`, where `D` is meant for `C` and hides the failure of `A` and `B`, too;
 - a `;` or a new line after `colcon build` without `set -e`, and after an installation where all that follows succeeds
   without it, such as `rm`;
-- `colcon build || true`, `rosdep install || true`, `apt-get update || true`, and `colcon build | tee` without
-  `pipefail`.
+- `colcon build || true`, `rosdep install || true`, `poetry install || true`, `uv sync || true`, `npm ci || true`,
+  `apt-get update || true`, and `colcon build | tee` without `pipefail`.
 
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
@@ -63,8 +63,13 @@ INSTALLERS = {
     "pip": "install",
     "pip3": "install",
     "vcs": "import",
+    "poetry": "install",
+    "uv": "sync",
+    "npm": "ci",
 }
 """Program -> its command that brings something into the image."""
+WHOLE = ("colcon", "rosdep", "poetry", "uv", "npm")
+"""Programs that bring all that a workspace or a project says that it needs."""
 STOPS = regex(STRICT, re.M)
 STRICT_SHELL = regex(r'"-\w{0,8}e\w{0,8}"|"errexit"')
 """In SHELL."""
@@ -234,7 +239,7 @@ def _hiding(chain: Chain, at: int, pipefail: bool) -> Hiding | None:
 def _fallback(chain: Chain, at: int, following: Block) -> Hiding | None:
     """The command after ``||`` that does nothing about a failure."""
     stop, name = chain.stops[at], _name(following)
-    meant = _name(chain.blocks[at]) not in ("colcon", "rosdep")
+    meant = _name(chain.blocks[at]) not in WHOLE
     if name not in PASSIVE or chain.checked > stop or (meant and (stop == at or not chain.succeed[stop + 1])):
         return None
     remedy = SKIP if _name(chain.blocks[stop]) == "rosdep" else f"remove '|| {name}'"
