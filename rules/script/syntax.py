@@ -3,8 +3,8 @@
 ## What it finds
 Scripts for bash and sh with a quote, backtick or bracket that is not closed, an `if`, `for`, `while`, `case` or `{`
 without its end, and a `then`, `else`, `fi`, `do`, `done`, `esac`, `;;` or bracket that does not fit its place. Also
-aliases with a quote or bracket that is not closed. Not reported: templates, scripts with carriage returns, and places
-that an option of the shell may decide, as `extglob`.
+aliases with a quote or bracket that is not closed, and three backticks of Markdown in the place of a command. Not
+reported: templates, scripts with carriage returns, and places that an option of the shell may decide, as `extglob`.
 
 ## Why it matters on a robot
 The shell reads a command, runs it, and reads the next. What comes before the mistake is done, and the mistake and all
@@ -37,11 +37,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Mistake
+from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import syntax_mistake
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(?:ba|da)?sh\b|(?!#!)")
 OTHER = regex(r"\.(?:zsh|fish|csh|ksh)$|\bextglob\b")
 ALIAS = regex(r"^[ \t]*alias[ \t]+(?P<name>[\w-]{1,60})='(?P<body>[^'\n]{0,2000})'[ \t]*$", re.M, "alias")
+FENCE = "```"
 CLOSING = {"`": "`", "'": "'", '"': '"', "$'": "'", "(": ")", "$(": ")", "<(": ")", ">(": ")", "${": "}", "[[": "]]"}
 
 
@@ -68,6 +70,7 @@ def syntax(robot: Robot) -> Iterator[Finding]:
             )
         else:
             yield from _of_aliases(source)
+            yield from _of_fences(source)
 
 
 def _of_aliases(source: Source) -> Iterator[Finding]:
@@ -82,6 +85,20 @@ def _of_aliases(source: Source) -> Iterator[Finding]:
                 f"{what}: the alias {alias['name']} ends with a syntax error",
                 advice=advice,
             )
+
+
+def _of_fences(source: Source) -> Iterator[Finding]:
+    """The first of the backticks that a text with a script in it has around that."""
+    if FENCE not in source.text:
+        return
+    words = (command.words[0] for command in shell_commands(source) if command.words)
+    first = next((word for word in words if word.span.text.startswith(FENCE)), None)
+    if first is not None:
+        yield finding(
+            first,
+            "These backticks are of Markdown: the shell takes the text from here on for commands",
+            advice="end the script before them",
+        )
 
 
 def _explained(mistake: Mistake) -> tuple[str, str]:
