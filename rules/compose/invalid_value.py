@@ -8,6 +8,8 @@ A value that compose or the Docker engine refuses:
 - ports, mounts, devices, durations and sizes with a mistake
 - a missing key
 - `networks` beside `network_mode` in one service
+- `mac_address` beside `network_mode: host`, or beside the network of another container (a warning, because only some
+  versions of the engine refuse it)
 
 A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable. One
 that means `rw` is an info, as is a value of nothing but crosses, for somebody to fill in.
@@ -41,12 +43,14 @@ When another program than docker compose reads the file.
 - https://github.com/compose-spec/compose-go
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -66,6 +70,7 @@ UNFILLED = regex(r"[Xx<>:-]{4,40}")
 MODES = ("rw", "ro", "z", "Z")
 REDUNDANT = ("bind", "rbind")
 """Mount options of mount(8) that say what compose does with a path by itself."""
+SHARED = ("service:", "container:")
 CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
 
 
@@ -79,6 +84,7 @@ CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL
         "to appropriate type: * is not a valid boolean value",
         "must be a mapping",
         "services must be a mapping",
+        "conflicting options: mac-address and the network mode",
         "declares mutually exclusive `network_mode` and `networks`: invalid compose project",
     ],
 )
@@ -89,6 +95,7 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         if (found := _two_networks(service)) is not None:
             yield found
+    yield from _foreign_macs(robot.compose.services)
 
 
 def _two_networks(service: Service) -> Finding | None:
@@ -105,6 +112,26 @@ def _two_networks(service: Service) -> Finding | None:
         advice="keep one of the two",
         related=[note(mode, "the other one")],
     )
+
+
+def _foreign_macs(services: Iterable[Service]) -> Iterator[Finding]:
+    """Services without interfaces of their own, which have no address for one; each place once, also where others
+    extend its service."""
+    found: dict[Span, Service] = {}
+    for service in services:
+        mode = service.network_mode
+        if mode and service.get("mac_address") is not None and (mode == "host" or mode.startswith(SHARED)):
+            found.setdefault(service.place_of("mac_address").span, service)
+    for service in found.values():
+        mode = service.place_of("network_mode")
+        yield finding(
+            service.place_of("mac_address"),
+            f"'{service.name}' gets no MAC address of its own with network_mode: {service.network_mode}: Docker "
+            "refuses to create the container, or ignores the address",
+            advice="remove mac_address",
+            related=[note(mode, "the interfaces are not its own")],
+            severity="warning",
+        )
 
 
 def _ignored(remarks: list[Remark]) -> Iterator[Finding]:
