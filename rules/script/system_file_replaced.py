@@ -4,7 +4,8 @@
 `>` or `tee` without `-a` on a file that the distribution fills: `/etc/sysctl.conf`, `/etc/sudoers`,
 `/etc/ssh/sshd_config`, `/etc/NetworkManager/NetworkManager.conf`, `/etc/passwd`, `/etc/group`, `/etc/modules`,
 `/etc/default/grub`, `/etc/bash.bashrc`. In Debian and Ubuntu, `/etc/sysctl.conf` and `/etc/modules` hold comments
-only: an info, unless another script of the tree writes to the same file.
+only: an info, unless another script of the tree writes to the same file. Also `cp` or `install` of a file of the tree
+over `/etc/sudoers` in a script that never calls `visudo`.
 
 ## Why it matters on a robot
 Everything that the distribution, another script or the administrator had set in the file is gone, and an update of the
@@ -29,6 +30,7 @@ When the script writes the whole content of the file on purpose.
 - sudoers(5), "Including other files"
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -51,6 +53,10 @@ FOLDERS = {
 """Files that the distribution fills, and where settings of one's own belong."""
 EMPTY = ("/etc/sysctl.conf", "/etc/modules")
 """Those of them that have nothing but comments (packages procps and kmod)."""
+SUDOERS = "/etc/sudoers"
+CHECK = "visudo"
+PAIR = 2
+"""Of what is copied, and where to."""
 FEW = 3
 """Lines; who writes more means the whole file."""
 
@@ -71,4 +77,23 @@ def system_file_replaced(robot: Robot) -> Iterator[Finding]:
                 advice=f"write a file in {folder}" if folder else "use adduser, usermod and groupadd",
                 confidence=None if written.certain else "medium",
                 severity="info" if written.path in EMPTY and len(writers[written.path]) == 1 else None,
+            )
+    yield from _copied(robot)
+
+
+def _copied(robot: Robot) -> Iterator[Finding]:
+    """The copies over the file of sudo, which nobody can mend as soon as it has a mistake."""
+    for source, run in robot.scripts.run("cp", "install"):
+        paths = [word for word in run.words[1:] if not word.startswith("-")]
+        if len(paths) < PAIR or CHECK in source.said:
+            continue
+        given, to = paths[-PAIR:]
+        name, target = posixpath.basename(run.text(given)), run.text(to).rstrip("/")
+        is_whole = target == SUDOERS or posixpath.join(target, name) == SUDOERS
+        if is_whole and robot.tree.beside(source, run.text(given)) is not None:
+            yield finding(
+                to,
+                f"This replaces the whole of {SUDOERS}: after a mistake in the new one nobody can use sudo any more",
+                advice=f"write a file in {FOLDERS[SUDOERS]}",
+                confidence=None if run.certain else "medium",
             )
