@@ -67,6 +67,7 @@ ASKS = regex(
     r"|\.results\b[^\n{}]{0,80}?\b(?:select|reject)attr\([\"']failed[\"'])"
 )
 USED = regex(r"\b(?P<name>[A-Za-z_]\w*)\b(?!\.changed\b|[ \t]{1,9}is[ \t]{1,9}(?:not[ \t]{1,9})?changed\b)")
+WORD = regex(r"[A-Za-z_]\w*")
 EXPRESSIONS = regex(
     r"[ \t]*(?:-[ \t]{1,9})?(?:when|until|failed_when|changed_when|that)[ \t]*:|[^\n]{0,300}\{[{%]"
     r"|[ \t]*-[ \t]{1,9}(?![ \t]|[\w.]{1,60}:)"
@@ -81,24 +82,34 @@ MOST = 10
 
 @rule("warning", silent="Ansible reports the task as ok")
 def failure_suppressed(robot: Robot) -> Iterator[Finding]:
-    for source in robot.of_kind("ansible"):
-        if source.judged and "failed_when" in source.text:
-            yield from _of_file(source)
+    sources = [each for each in robot.of_kind("ansible") if each.judged and "failed_when" in each.text]
+    shared = _shared(robot, sources)
+    for source in sources:
+        yield from _of_file(source, shared)
 
 
-def _of_file(source: Source) -> Iterator[Finding]:
+def _shared(robot: Robot, sources: list[Source]) -> set[str]:
+    """The results of installing tasks that files with further tasks register, and that another file names too."""
+    going_on = (source for source in sources if any(task.includes for task in tasks(source)))
+    names = {_registered(task) for source in going_on for task in tasks(source) if _installer(task) is not None} - {""}
+    if not names:
+        return set()
+    said = Counter(name for each in robot.of_kind("ansible") for name in names.intersection(WORD.findall(each.said)))
+    return {name for name, count in said.items() if count > 1}
+
+
+def _of_file(source: Source, shared: set[str]) -> Iterator[Finding]:
     registered = Counter(filter(None, map(_registered, tasks(source))))
     suppressed = [(never, task) for task in tasks(source) if (never := _never_fails(task)) is not None]
     asked = _places(source) if suppressed else {}
     used = Counter(match["name"] for match in USED.finditer(source.said)) if suppressed else Counter()
-    goes_on = any(task.includes for task in tasks(source))
     for never, task in suppressed:
         name = _registered(task)
         places = asked.get(name, []) if registered[name] == 1 else []
         module = _installer(task)
         if places:
             yield _of_asked(never, name, places, task)
-        elif module is not None and not (name and (goes_on or used[name] > 1)) and not _only_checks(task):
+        elif module is not None and not (name and (name in shared or used[name] > 1)) and not _only_checks(task):
             yield finding(
                 never,
                 "Where the packages cannot be installed, the task is ok, and the play goes on without them",
