@@ -6,7 +6,7 @@ In scripts and Dockerfiles:
 - `deb [trusted=yes] ...`, `apt-get --allow-unauthenticated`, `--force-yes`, `AllowUnauthenticated=true` and
   `AllowInsecureRepositories=true`: apt installs packages that nobody signed;
 - a key for apt that `wget` or `curl` gets over `http://`, and that goes to `apt-key add`, `gpg --dearmor` or a folder
-  of keys, and `apt-key adv --fetch-keys http://...`;
+  of keys, and `apt-key adv --fetch-keys http://...`, also with the shorter `--fetch-key`;
 - in Dockerfiles, `wget --no-check-certificate` and `curl --insecure` of a file on the internet.
 
 Repositories in a local folder and addresses of the own network are not reported.
@@ -71,7 +71,7 @@ KEY = regex(
     r"(?:sudo\s+(?:-\w+\s+){0,3})?(?:apt-key\s+add|gpg2?\b[^\n|;&]{0,100}--dearmor)"
     rf"|\b(?:curl|wget)\b{PART}{{0,200}}?(?P<saved>{PLAIN_HTTP}){PART}{{0,100}}?-[oO] ?{FOLDERS}"
     rf"|\b(?:curl|wget)\b{PART}{{0,100}}?-[oO] ?{FOLDERS}\S{{1,100}}{PART}{{0,100}}?(?P<before>{PLAIN_HTTP})"
-    rf"|\bapt-key\b{PART}{{0,100}}?--fetch-keys\s+[\"']?(?P<fetched>{PLAIN_HTTP})",
+    rf"|\bapt-key\b{PART}{{0,100}}?--fetch-keys?\s+[\"']?(?P<fetched>{PLAIN_HTTP})",
     hints="http:// apt-key",
 )
 UNSIGNED_INSTALLS = (
