@@ -2,8 +2,9 @@
 
 ## What it finds
 `~/.bashrc`, `~/.profile` and the like (also with `$HOME`) that a set-up script writes to, where the script runs as
-root: it asks for it (`$EUID`, `id -u`), or says that it is called with `sudo`, or installs packages and writes to /etc
-without `sudo`. Only where the robot has a user of its own, by the script or by `User=` of a unit.
+root: it asks for it (`$EUID`, `id -u`), or says in a comment or its usage that it is called with `sudo`, or installs
+packages and writes to /etc without `sudo`. Only where the robot has a user of its own, by the script or by `User=` of a
+unit.
 
 Also tasks of Ansible with `become: true` that write to `~/.bashrc` and the like, themselves or by `item` of their loop.
 Silent with `become_user` or `ansible_become`, where the file writes the home of a user, too, where hosts, `ansible.cfg`
@@ -129,11 +130,10 @@ def _is_root(source: Source, did: list[Run | Written]) -> bool:
 
 
 def _is_called_with_sudo(source: Source) -> bool:
-    """Whether a comment of the script says that it is called so."""
+    """Whether a comment of the script, or the usage that it prints, says that it is called so."""
     name = rf"(?:{re.escape(source.basename)}|\$0)"
-    return (
-        re.search(rf"^#[^\n]{{0,80}}\bsudo[ \t]+(?:bash[ \t]+)?\S{{0,60}}{name}(?!\S)", source.text, re.M) is not None
-    )
+    called = rf"[^\n]{{0,80}}\bsudo[ \t]+(?:bash[ \t]+)?\S{{0,60}}{name}(?![^\s\"'])"
+    return re.search(rf"^(?:#|[^\n]{{0,60}}\b[Uu]sage:){called}", source.text, re.M) is not None
 
 
 def _is_etc(run: Run) -> bool:
