@@ -129,6 +129,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.call_fit import unfit_calls
     from bringup_lint.graph.nodes.questions.python.class_attributes import class_attributes
     from bringup_lint.graph.nodes.questions.python.early_reads import early_reads
+    from bringup_lint.graph.nodes.questions.python.enum_members import enum_members
     from bringup_lint.graph.nodes.questions.python.half_made import half_made
     from bringup_lint.graph.nodes.questions.python.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.python.missing_attributes import missing_attributes
@@ -226,6 +227,7 @@ __all__ = [
     "endless_rates",
     "endless_threads",
     "ends_thread",
+    "enum_members",
     "fed_without_condition",
     "format_texts",
     "given_in_order",

@@ -9,12 +9,13 @@ attributes that only a subscription sets and that a timer or another subscriptio
 message came; and attributes whose every assignment comes behind a use of them; and those that a `try` of the
 constructor sets, whose `except` goes on, and that the constructor or a callback uses afterwards; and what the module
 rclpy does not have, such as `rclpy.Time` and the functions of rospy; and `Encoder.port`, where only the objects of
-the class Encoder have a port. The same holds for classes beside the nodes, in Python modules of the tree too, that
-build on nothing and that the code makes; and for `motor.brake()` and `self.motor.brake()` where the object is only
-ever of one such class, be it of another file of the tree. Classes with bases that are not in the tree are left out. It
-is an info in a method that nothing calls, in `__getitem__`, `__str__` and the like of a plain class, where no `len(x)`,
-`x[0]` and the like runs them, behind a handler that shuts the context down, and after the `join()` of a thread, where
-the node has done its work. It is an info in packages that others wrote and the tree only carries.
+the class Encoder have a port; and members that an `Enum` of the tree does not have. The same holds for classes beside
+the nodes, in Python modules of the tree too, that build on nothing and that the code makes; and for `motor.brake()` and
+`self.motor.brake()` where the object is only ever of one such class, be it of another file of the tree. Classes with
+bases that are not in the tree are left out. It is an info in a method that nothing calls, in `__getitem__`, `__str__`
+and the like of a plain class, where no `len(x)`, `x[0]` and the like runs them, behind a handler that shuts the context
+down, and after the `join()` of a thread, where the node has done its work. It is an info in packages that others wrote
+and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -62,6 +63,7 @@ BY_OPERATORS = frozenset("__getitem__ __iter__ __len__ __contains__ __str__ __re
         "AttributeError: can't set attribute '*'",
         "AttributeError: property '*' of '*' object has no setter",
         "AttributeError: module 'rclpy' has no attribute '*'",
+        "AttributeError: type object '*' has no attribute '*'",
         "ImportError: cannot import name '*' from 'rclpy'",
     ],
 )
@@ -209,7 +211,7 @@ def _of_objects(robot: Robot) -> Iterator[Finding]:
 
 
 def _of_other_objects(robot: Robot) -> Iterator[Finding]:
-    for found in nodes.object_attributes(robot.nodes):
+    for found in (*nodes.object_attributes(robot.nodes), *nodes.enum_members(robot.nodes)):
         name, owner = found.place.attr, found.defined.node.name
         when = f"when {found.function}() runs" if found.function is not None else "when the file is loaded"
         end = nodes.end_of(robot.nodes.syntax(found.file), found.place, caught=found.caught)

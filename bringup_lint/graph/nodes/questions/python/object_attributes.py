@@ -17,8 +17,9 @@ from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.graph.nodes.sources.syntax import Syntax
 
-_EXPECTED = frozenset({"AttributeError"})
+EXPECTED = frozenset({"AttributeError"})
 
 
 class ObjectAttribute(NamedTuple):
@@ -45,11 +46,15 @@ def object_attributes(nodes: Nodes) -> Iterator[ObjectAttribute]:
             defined = objects.of(place.value)
             if defined is None or (defined.node, place.attr) in seen or not objects.lacks(defined, place.attr):
                 continue
-            if place.attr in asked_for(file) or syntax.is_dead(place) or syntax.catches(place, _EXPECTED):
+            if place.attr in asked_for(file) or syntax.is_dead(place) or syntax.catches(place, EXPECTED):
                 continue
             seen.add((defined.node, place.attr))
-            function = syntax.function(place)
-            idle = is_idle(syntax, place) or is_late(syntax, place)
-            caught = syntax.catches(place, CAUGHT)
-            named = function.name if function is not None else None
-            yield ObjectAttribute(file, place, defined, named, idle, caught)
+            yield lacking(file, syntax, place, defined)
+
+
+def lacking(file: NodeSource, syntax: Syntax, place: ast.Attribute, defined: Defined) -> ObjectAttribute:
+    """What a class lacks that a place takes from it."""
+    function = syntax.function(place)
+    idle = is_idle(syntax, place) or is_late(syntax, place)
+    named = function.name if function is not None else None
+    return ObjectAttribute(file, place, defined, named, idle, syntax.catches(place, CAUGHT))
