@@ -191,6 +191,14 @@ class LostCamera(NamedTuple):
     is_logged: bool
 
 
+class ShellText(NamedTuple):
+    """A shell command that holds text of a message, a request or a goal."""
+
+    call: Span
+    read: Span
+    """Where the text is taken: ``request->name``."""
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
@@ -212,4 +220,5 @@ class CppDriver:
     shut_ports: list[ShutPort] = field(default_factory=list)
     short_answers: list[ShortAnswer] = field(default_factory=list)
     lost_cameras: list[LostCamera] = field(default_factory=list)
+    shell_texts: list[ShellText] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

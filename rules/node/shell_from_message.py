@@ -5,7 +5,8 @@
 subscription's message, of a service request or of the goal of an action: `std_msgs/String`, and types of the tree with
 fields of type `string`. Functions and methods of the file are followed, and what a callback keeps for them in
 attributes and queues. Not reported: text that is quoted with `shlex.quote`, converted to a number, looked up in a table
-or compared with what is allowed.
+or compared with what is allowed. In C++ the same for `system()` and `popen()` in the function that gets the request,
+the `std_msgs/String` or the goal, where nothing before looks into the text.
 
 ## Why it matters on a robot
 Without SROS2, everybody in the same ROS domain may publish and call services. A name such as `x; reboot` runs with the
@@ -59,4 +60,13 @@ def shell_from_message(robot: Robot) -> Iterator[Finding]:
                 advice="call what known names mean" if found.is_program else ADVICE,
                 related=[note(found.callback.span, f"the callback of a {found.callback.role}")],
                 severity=robot.nodes.lowered(file.source, "warning"),
+            )
+    for driver in robot.nodes.drivers:
+        for text in driver.shell_texts:
+            yield finding(
+                text.call,
+                COMMAND.format(text.read.text),
+                advice="use posix_spawn(), which takes a list of arguments, or accept only known values",
+                related=[note(text.read, "taken as it comes")],
+                severity=robot.nodes.lowered(driver.source, "warning"),
             )

@@ -29,6 +29,9 @@ from bringup_lint.parsers.cpp_driver.lost_transforms import TAKES
 from bringup_lint.parsers.cpp_driver.lost_transforms import lost_transforms
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
+from bringup_lint.parsers.cpp_driver.shell_texts import BRINGS
+from bringup_lint.parsers.cpp_driver.shell_texts import RUNS
+from bringup_lint.parsers.cpp_driver.shell_texts import shell_texts
 from bringup_lint.parsers.cpp_driver.short_answers import TAKES_PARTS
 from bringup_lint.parsers.cpp_driver.short_answers import short_answers
 from bringup_lint.parsers.cpp_driver.shut_contexts import SHUTS
@@ -70,6 +73,7 @@ _QUESTIONS: tuple[tuple[str, tuple[re.Pattern[str], ...], Callable[[Code], Itera
     ("shut_ports", (OPENS_PORT, SERIAL_PORT), shut_ports),
     ("short_answers", (TAKES_PARTS,), short_answers),
     ("lost_cameras", (CAMERA,), lost_cameras),
+    ("shell_texts", (RUNS, BRINGS), shell_texts),
 )
 """What is asked of a file, with the words without all of which it has none."""
 
