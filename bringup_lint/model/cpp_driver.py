@@ -19,6 +19,8 @@ class UncheckedIndex(NamedTuple):
     """The ``bind`` that takes the index."""
     is_zero: bool
     """The request is made as zero, so that the index is 0 without the interface."""
+    is_blind: bool
+    """Nobody looks at the result of the ``bind`` either."""
 
 
 class IdleRead(NamedTuple):

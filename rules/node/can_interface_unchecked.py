@@ -8,7 +8,8 @@ with the index and compares that with nothing.
 The request fails when there is no interface of this name: the adapter is not plugged in, its driver comes later, or it
 has another number after the reboot. A request that was made as zero then holds the index 0, with which `bind()`
 succeeds: it stands for all CAN interfaces. The node starts, hears other buses, and each of its writes fails. Without
-the zero the index is whatever was in memory, and so is the error that `bind()` reports.
+the zero the index is whatever was in memory: mostly `bind()` fails then, with an error that names no interface, and
+sometimes it finds a 0 there.
 
 ## Bad
 ```cpp
@@ -36,15 +37,21 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+BY_CHANCE = (
+    "Without the CAN interface bind() takes an index that nobody set: it fails without the name, or takes 0, all CAN "
+    "interfaces"
+)
+
 
 @rule("warning", silent="the failed ioctl() logs nothing")
 def can_interface_unchecked(robot: Robot) -> Iterator[Finding]:
     for driver in robot.nodes.drivers:
         for found in driver.unchecked_indexes:
             taken = "index 0, all CAN interfaces, and each write fails" if found.is_zero else "an index that nobody set"
+            message = f"Nothing notices that the CAN interface does not exist: bind() takes {taken}"
             yield finding(
                 found.asked,
-                f"Nothing notices that the CAN interface does not exist: bind() takes {taken}",
+                message if found.is_zero or found.is_blind else BY_CHANCE,
                 advice="check the result of ioctl(), and report errno with the name of the interface",
                 related=[note(found.bound, "bound with the index")],
                 severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),

@@ -52,7 +52,5 @@ def _unchecked(code: Code, call: Call, function: Node) -> UncheckedIndex | None:
     zero = re.compile(
         rf"\b{request}\s{{0,4}}(?:=\s{{0,4}})?\{{|\b(?:memset|bzero)\s{{0,4}}\(\s{{0,4}}&\s{{0,4}}(?:this->)?{request}\b"
     )
-    is_zero = zero.search(text) is not None
-    if not is_zero and not _is_dropped(bound.node):
-        return None  # bind() refuses what the index most likely is
-    return UncheckedIndex(code.span(call.node), code.span(bound.node), is_zero)
+    is_zero, is_blind = zero.search(text) is not None, _is_dropped(bound.node)
+    return UncheckedIndex(code.span(call.node), code.span(bound.node), is_zero, is_blind)
