@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import sys
 import warnings
 from typing import cast
 
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -75,7 +77,7 @@ def byte_order_mark(source: Source) -> int:
 
 def syntax_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
     """The tree of the text behind a byte order mark; the problem (``syntax``, or ``f-string`` inside of one)
-    when it is not Python."""
+    when it is not Python, or only that of newer releases."""
     shift = byte_order_mark(source)
     try:
         with warnings.catch_warnings():
@@ -83,9 +85,20 @@ def syntax_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
             return ast.parse(source.text[shift:]), []
     except SyntaxError as error:
         said = error.msg or ""
-        return None, [Problem("f-string" if "f-string" in said else "syntax", _place(source, error, shift), said)]
+        tree = _newer(source.text[shift:])
+        code = "f-string" if "f-string" in said or tree is not None else "syntax"
+        return tree, [Problem(code, _place(source, error, shift), said)]
     except (ValueError, RecursionError, MemoryError) as error:
         return None, [Problem("syntax", source.whole, str(error))]
+
+
+def _newer(text: str) -> ast.Module | None:
+    """The tree of what only newer releases of Python read; None where it is something else."""
+    from bringup_lint.parsers.newer_python import HOLDS
+    from bringup_lint.parsers.newer_python import as_older
+
+    older = as_older(text) if sys.version_info < (3, 12) and HOLDS.search(text) else text
+    return syntax_of(older) if older != text else None
 
 
 def kept_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
