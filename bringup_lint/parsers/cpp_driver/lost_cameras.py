@@ -55,7 +55,10 @@ _DEVICE = regex(r"[^;\"({]{0,80}[({]\s{0,4}(?:\d{1,3}|\"/dev/[^\"\n]{1,200}\"|(?
 def lost_cameras(code: Code) -> Iterator[LostCamera]:
     """One for each read that goes on without a picture."""
     plain = plain_of(code.source)
-    if LOOKED_AFTER.search(plain) or _ENDS.search(plain) or _SHUTS.search(plain.partition("int main")[0]):
+    if LOOKED_AFTER.search(plain) or _SHUTS.search(plain.partition("int main")[0]):
+        return
+    ends = [each.start() for each in islice(_ENDS.finditer(plain), MOST)]
+    if len(ends) == MOST or not all(_is_of_start(code, each) for each in ends):
         return
     openings: dict[str, tuple[Span, list[Node]] | None] = {}
     for found in islice(_READS.finditer(plain), MOST):
@@ -134,6 +137,13 @@ def _is_early(code: Code, function: Node) -> bool:
     callers = [code.body_of(call.node) for call in code.calls if call.name == name]
     made = [each is not None and _is_start(code, each) for each in callers]
     return len(made) == 1 and all(made) and len(list(code.uses(name))) == 2
+
+
+def _is_of_start(code: Code, at: int) -> bool:
+    """Whether what is at a place runs once, before anything is read."""
+    node = code.at(at)
+    function = code.body_of(node) if node is not None else None
+    return node is not None and function is not None and _loop(code, node) is None and _is_early(code, function)
 
 
 def _is_start(code: Code, function: Node) -> bool:
