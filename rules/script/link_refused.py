@@ -1,0 +1,75 @@
+"""A link is to be where there is a file already.
+
+## What it finds
+`ln -s` without `-f`, `-b` or a backup suffix whose name is that of a file that every Debian and Ubuntu has:
+`/etc/resolv.conf`, `/etc/localtime`, `/etc/hosts`, `/etc/hostname`, `/etc/fstab`, `/bin/sh`. Silent where the script
+removes, moves or looks for this file, where the failure is handled, and in scripts that build an image.
+
+## Why it matters on a robot
+ln says "File exists", and changes nothing. The robot keeps the file of before: the name servers of the workshop, or the
+time zone of the image.
+
+## Bad
+```sh
+sudo ln -s /run/systemd/resolve/resolv.conf /etc/resolv.conf
+```
+
+## Good
+```sh
+sudo ln -sf /run/systemd/resolve/resolv.conf /etc/resolv.conf
+```
+
+## When to ignore it
+When another program has removed the file before.
+
+## References
+- ln(1), "--force"
+"""
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+THERE = ("/etc/resolv.conf", "/etc/localtime", "/etc/hosts", "/etc/hostname", "/etc/fstab", "/bin/sh", "/usr/bin/sh")
+REPLACES = regex(r"-[a-zA-Z]*[fbiS][a-zA-Z]*|--(?:force|backup|interactive|suffix).*")
+PAIR = 2
+"""What a link leads to, and its name."""
+HANDLES = r"(?:\b(?:rm|mv|unlink)\b[^\n;&|]{0,200}|-[efhLs][ \t]+[\"']?|\b(?:test|readlink|stat)\b[^\n;&|]{0,80})"
+"""What may make room for a file, or ask for it, before its name."""
+
+
+@rule("warning", symptoms=["ln: failed to create symbolic link '*': File exists"])
+def link_refused(robot: Robot) -> Iterator[Finding]:
+    for source, run in robot.scripts.run("ln"):
+        paths = [word for word in run.words[1:] if not word.startswith("-")]
+        if len(paths) != PAIR or not _is_plain_link(run):
+            continue
+        target, name = paths
+        path = run.text(name)
+        path = posixpath.join(path, posixpath.basename(run.text(target))) if path.endswith("/") else path
+        if path in THERE and not _is_handled(source, path) and not robot.scripts.is_for_image(source):
+            yield finding(
+                name,
+                f"Every robot has {path}: ln says 'File exists', and changes nothing",
+                advice="write ln -sf",
+            )
+
+
+def _is_plain_link(run: Run) -> bool:
+    """Whether a symbolic link is made, the name must be free, and the failure counts."""
+    options = [word for word in run.words[1:] if word.startswith("-")]
+    if any(REPLACES.fullmatch(word) for word in options) or run.command.ends == "||" or run.command.hides_errors:
+        return False
+    return any("s" in word for word in options)
+
+
+def _is_handled(source: Source, path: str) -> bool:
+    return re.search(rf"{HANDLES}{re.escape(path)}", source.said) is not None
