@@ -34,8 +34,9 @@ _SYSTEM = frozenset(
 )
 """Of base-passwd, and the user of Ubuntu's images since 23.04."""
 _MAKERS = ("useradd", "adduser", "newusers", "usermod")
-_READERS = ("sh", "bash", "zsh", "python", "python3", "ansible-playbook")
-_SCRIPT = regex(r"\S+\.(?:sh|bash|py|run)")
+_READERS = ("sh", "bash", "zsh", "python", "python3", "ansible-playbook", "make")
+_SCRIPT = regex(r"\S+\.(?:sh|bash|py|run)|(?!/(?:usr/)?s?bin/|/opt/ros/)\S*/\S*")
+"""A program of the image's own."""
 _OVER = regex(r"/etc/passwd|[ \t\"](?:/|/etc/?)[\"\]]?\s*$")
 """Files that a step puts over those of /etc."""
 _FEATURES = regex(r'"features"|/etc/passwd')
@@ -102,9 +103,11 @@ def _may_make(stage: Stage, name: str) -> bool:
 
 
 def _is_unseen(command: Command) -> bool:
-    """Whether a command runs a script, or makes a user whose name is a variable."""
+    """Whether a command runs a program of the image's own, or makes a user whose name is a variable."""
     words = unwrapped(command.words)
     program = program_name(words[0]) if words else ""
-    if _SCRIPT.fullmatch(program) or (program in _READERS and "-c" not in words):
+    if words and ("$" in words[0] or _SCRIPT.fullmatch(words[0])):
+        return True
+    if program in _READERS and "-c" not in words:
         return True
     return any(each in command.words for each in _MAKERS) and any("$" in word for word in command.words)
