@@ -26,6 +26,7 @@ When a list of rosdep of your own has a key of this name.
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -65,7 +66,7 @@ def skip_keys_debian(robot: Robot) -> Iterator[Finding]:
 
 def _skipped(words: tuple[Located, ...]) -> Iterator[Located]:
     """The values of the option, each with one or several keys."""
-    for before, word in zip(words, words[1:]):
+    for before, word in pairwise(words):
         if before == OPTION:
             yield word
         elif word.startswith(f"{OPTION}="):
