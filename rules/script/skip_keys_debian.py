@@ -2,7 +2,7 @@
 
 ## What it finds
 `rosdep install --skip-keys` with the name of a Debian package of ROS, such as `ros-jazzy-rviz2`, instead of a key of
-rosdep, such as `rviz2`. In scripts, Dockerfiles, tasks and command lines.
+rosdep, such as `rviz2`. In scripts, Dockerfiles, tasks and command lines. Silent where the key is among the words, too.
 
 ## Why it matters on a robot
 rosdep compares the words with the names in package.xml, and says nothing of those that it does not find. It installs
@@ -53,13 +53,16 @@ def skip_keys_debian(robot: Robot) -> Iterator[Finding]:
         if not words or program_name(words[0]) != "rosdep":
             continue
         keys = [key for text in _skipped(words) for key in text.words()]
-        wrong = [(key, match["name"]) for key in keys if (match := DEBIAN.fullmatch(key)) is not None]
+        debian = [(key, match) for key in keys if (match := DEBIAN.fullmatch(key)) is not None]
+        named = ((key, match["name"].replace("-", "_")) for key, match in debian)
+        written = frozenset(map(str, keys))
+        wrong = [(key, name) for key, name in named if name not in written]
         if wrong:
             (first, name), *others = wrong
             yield finding(
                 first,
                 f"{first} is a Debian package and no key of rosdep: it is not skipped",
-                advice=f"write {name.replace('-', '_')}, as in package.xml",
+                advice=f"write {name}, as in package.xml",
                 related=[note(other, "nor is this") for other, _ in others],
             )
 
