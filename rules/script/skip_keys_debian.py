@@ -46,8 +46,6 @@ DEBIAN = regex(rf"ros-(?:{'|'.join(distro_names())}|\$\{{?\w+\}}?)-(?P<name>[a-z
 
 @rule("warning", silent="rosdep passes over keys that it does not know")
 def skip_keys_debian(robot: Robot) -> Iterator[Finding]:
-    if not robot.may_hold(OPTION):
-        return
     for command in every_command(robot.runners):
         words = unwrapped(command.words)
         if not words or program_name(words[0]) != "rosdep":
