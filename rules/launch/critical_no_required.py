@@ -5,10 +5,11 @@ Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnPr
 agent of micro-ROS, and programs of the workspace that open a port, bus or pin and publish measurements or take commands
 to move, or that publish the odometry. Reported for launch files that also start other nodes, or that a unit launches. A
 warning where a unit or container of the tree launches the file (not for odometry, of which a robot may have more than
-one), where the file has another driver or controller restarted, and once a robot for `ros2_control_node` beside nodes
-that outlive it; else for information, and so for a node in a part that an argument switches on, or that gets simulated
-time, and for `ros2_control_node` where nothing of the tree starts controllers for it, or the package has its hardware
-from topic_based_ros2_control, and neither it nor a description names other hardware: another node has the device there.
+one), where the same bring-up has another driver or controller restarted, or the file another node that is no tool, and
+once a robot for `ros2_control_node` beside nodes that outlive it; else for information, and so for a node in a part
+that an argument switches on, or that gets simulated time, and for `ros2_control_node` where nothing of the tree starts
+controllers for it, or the package has its hardware from topic_based_ros2_control, and neither it nor a description
+names other hardware: another node has the device there.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -122,7 +123,7 @@ class Unwatched(NamedTuple):
     supervised: bool
     """Something starts the launch again when it ends."""
     restarted: list[launch.Started]
-    """The drivers and controllers of the same file that launch restarts."""
+    """What launch restarts beside it."""
 
 
 def unwatched(robot: Robot) -> Iterator[Unwatched]:
@@ -141,7 +142,7 @@ def unwatched(robot: Robot) -> Iterator[Unwatched]:
                 continue
             if "respawn" in node.options or node.span in seen or launch.watched(node, expansion):
                 continue
-            beside = restarted.get(id(node.file), [])
+            beside = restarted_beside(robot, node, restarted)
             if not units and all(each.span == node.span for each in (*beside, *others)):
                 continue
             role = device_role(robot.topics, node)
@@ -150,14 +151,20 @@ def unwatched(robot: Robot) -> Iterator[Unwatched]:
                 yield Unwatched(expansion, node, role, supervised, beside)
 
 
-def restarted_in(robot: Robot, expansion: launch.Expansion) -> dict[int, list[launch.Started]]:
-    """By launch file, the drivers and controllers that launch restarts."""
-    found: dict[int, list[launch.Started]] = {}
-    for each in expansion.nodes:
-        is_restarted = each.by_default is not False and launch.respawns(each) is True
-        if is_restarted and device_role(robot.topics, each) is not None:
-            found.setdefault(id(each.file), []).append(each)
-    return found
+def restarted_in(robot: Robot, expansion: launch.Expansion) -> list[launch.Started]:
+    """What launch restarts of a bring-up, but tools and the like."""
+    return [
+        each
+        for each in expansion.nodes
+        if each.by_default is not False and launch.respawns(each) and robot.launch.role(each).role not in ASIDE
+    ]
+
+
+def restarted_beside(robot: Robot, node: launch.Started, restarted: list[launch.Started]) -> list[launch.Started]:
+    """The drivers and controllers of the same bring-up, and what else its own launch file starts, drivers first."""
+    drives = {id(each): device_role(robot.topics, each) is not None for each in restarted}
+    beside = [each for each in restarted if drives[id(each)] or each.file is node.file]
+    return sorted(beside, key=lambda each: (each.file is not node.file, not drives[id(each)]))
 
 
 def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool:
