@@ -8,7 +8,8 @@ script.
 - In a complete root file system, every path is checked.
 - In a repository, only paths below /var/log, /var/lib, /run and similar folders are checked, where nothing
   exists by default.
-- A device node that may be unplugged is an info.
+- A device node that may be unplugged is a warning in ReadWritePaths=, where the unit neither depends on its device unit
+  nor checks that it exists: /dev is writable without the line, whatever ProtectSystem= says. Else it is an info.
 
 ## Why it matters on a robot
 systemd cannot set up the mount namespace, and the service does not start: 226/NAMESPACE. It works on the
@@ -33,7 +34,8 @@ When another package or a provisioning step that is not in this tree creates the
 starts.
 
 ## References
-- systemd.exec(5), ReadWritePaths= (the `-` prefix) and LogsDirectory=
+- systemd.exec(5), ReadWritePaths= (the `-` prefix), ProtectSystem= ("except for the API file system subtrees /dev/")
+  and LogsDirectory=
 - tmpfiles.d(5)
 """
 
@@ -43,7 +45,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.host import device_path
+from bringup_lint.api.host import is_link_by_form
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import line_to_create
 from bringup_lint.api.systemd import paths
 
@@ -59,6 +65,10 @@ ALWAYS = (
     "/dev/dri",
     "/dev/snd",
 )
+ADAPTER = regex(r"/dev/(?:ttyUSB|ttyACM|video|serial/|v4l/)")
+"""What a device on USB is called."""
+PULLS = ("BindsTo", "Requires", "Wants", "Requisite")
+CHECKS = ("ConditionPathExists", "AssertPathExists")
 
 
 @rule(
@@ -86,9 +96,17 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                     else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
                     fix=fix(f"write -{path}", (word.part(0, 0), "-")) if unit.editable else None,
-                    severity="info" if device else "warning",
+                    severity="info" if device and not (key == KEYS[0] and _may_lack(path, unit)) else "warning",
                     confidence="high" if robot.tree.complete and not device else "medium",
                 )
+
+
+def _may_lack(path: str, unit: Unit) -> bool:
+    """Whether a device may be unplugged, and the unit starts all the same."""
+    if ADAPTER.match(path) is None and not is_link_by_form(path):
+        return False
+    is_awaited = any(device_path(word) == path for key in PULLS for word in unit.words(key))
+    return not is_awaited and not any(str(unit.get(key, "Unit")) == path for key in CHECKS)
 
 
 def _advice(path: str, device: bool) -> str:
