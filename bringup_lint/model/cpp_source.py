@@ -173,12 +173,22 @@ class Dropped(NamedTuple):
     """The local variable that alone keeps it; None when nothing does."""
 
 
+class Divisor(NamedTuple):
+    """A velocity of a command by which something is divided."""
+
+    place: Located
+    is_zero_by_zero: bool
+    """What is divided is another velocity of the same command, which is 0 too where the robot is to stop."""
+
+
 class Unset(NamedTuple):
     """A local number that is added to before it has a value."""
 
     declared: Span
     used: Span
     name: str
+    is_kept: bool = False
+    """What is added is computed from its own value, and no loop adds it again: it is meant to last between calls."""
 
 
 class UnsetMember(NamedTuple):
@@ -451,6 +461,6 @@ class CppNode:
     repeated_branches: list[RepeatedBranch] = field(default_factory=list)
     canceled: list[Canceled] = field(default_factory=list)
     unchecked_elements: list[UncheckedElements] = field(default_factory=list)
-    divisors: list[Located] = field(default_factory=list)
+    divisors: list[Divisor] = field(default_factory=list)
     """Velocities of commands by which something is divided unseen."""
     problems: list[Problem] = field(default_factory=list)

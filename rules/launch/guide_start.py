@@ -61,6 +61,10 @@ ARGUMENT = regex(r"(?<!\S)(?P<name>[A-Za-z_]\w*):=(?P<value>[\w./-]+)(?!\S)")
 STAND_IN = regex(r"(?i)\b(?:your|my)_|\.\.\.|\bx{3,}\b|[│┃║]")
 """Of a command that is no more than a form, or part of a drawing."""
 MOST = 20
+_LIKE = 6
+"""Letters that differ in names that are alike."""
+_MISSPELT = 2
+"""Those in one that is misspelt."""
 
 
 @rule(
@@ -103,11 +107,11 @@ def _of_page(robot: Robot, source: Source, own: dict[str, set[str]]) -> Iterator
     yield from _executables(robot, source)
     for (name, file_name), (first, *others) in lost.items():
         package = workspace.packages[name]
-        near = nearest_of_few(file_name, own.get(name, ()), 6)
+        near = nearest_of_few(file_name, own.get(name, ()), _LIKE)
         yield finding(
             first,
             f"{name} has no launch file {file_name}: who follows this page starts nothing",
-            advice=f"write {near[0]}" if len(near) == 1 else "write the name of a launch file that it has",
+            advice=_advice(file_name, near, "a launch file that it has"),
             related=[note(package.place, f"the package {name}"), *(note(each, "here too") for each in others[:MOST])],
         )
 
@@ -124,16 +128,24 @@ def _executables(robot: Robot, source: Source) -> Iterator[Finding]:
             start = match.start("name")
             lost.setdefault((package.name, name), []).append(source.located(start, start + len(name)))
     for (owner, name), (first, *others) in lost.items():
-        near = nearest_of_few(name, workspace.packages[owner].executables, 6)
+        near = nearest_of_few(name, workspace.packages[owner].executables, _LIKE)
         yield finding(
             first,
             f"{owner} has no executable {name}: who follows this page starts nothing",
-            advice=f"write {near[0]}" if len(near) == 1 else "write the name of an executable that it installs",
+            advice=_advice(name, near, "an executable that it installs"),
             related=[
                 note(workspace.packages[owner].place, f"the package {owner}"),
                 *(note(each, "here too") for each in others[:MOST]),
             ],
         )
+
+
+def _advice(written: str, near: list[str], what: str) -> str:
+    """A name that is nearly what is written is meant; another one may need arguments to do what the page says."""
+    if len(near) != 1:
+        return f"write the name of {what}"
+    is_misspelt = bool(nearest_of_few(written, near, _MISSPELT))
+    return f"write {near[0]}" if is_misspelt else f"name {what}, such as {near[0]}, with the arguments that it needs"
 
 
 def _is_lost(robot: Robot, package: str, file_name: str) -> bool:

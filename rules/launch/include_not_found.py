@@ -56,11 +56,11 @@ FAMILY = 6
 def include_not_found(robot: Robot) -> Iterator[Finding]:
     for reference, package in robot.launch.missing("include"):
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
-        near = nearest(reference.name, known, 3)
+        near = [reference.name] if reference.name in known else nearest(reference.name, known, 3)
         yield finding(
             reference.where,
             f"{reference.name} does not exist in {package.name}: launch aborts",
-            advice=f"include {near[0]}" if near else "correct the path",
+            advice=f"include {launch.path_of(robot.launch, near[0], package)}" if near else "correct the path",
             related=[note(package.place, f"the package {package.name}")],
             severity="warning" if reference.optional else None,
         )

@@ -51,12 +51,15 @@ def moveit_file_missing(robot: Robot) -> Iterator[Finding]:
         names = robot.tree.names_below(each.package.folder, depth=4)
         known = sorted({os.path.basename(name) for name in names if name.endswith(ENDINGS)})
         near = nearest(os.path.basename(each.path), known, 4)
+        homes = homes_of(robot, each.path) if each.path.endswith(".srdf") else []
         what = "exists in the source and is not installed" if each.exists else "does not exist"
         yield finding(
             each.where,
             f"{each.path} {what} in {each.package.name}: MoveItConfigsBuilder raises an exception, and launch aborts",
             advice="install it"
             if each.exists
+            else f'write package_name="{homes[0]}", which has this file'
+            if len(homes) == 1
             else f"use {launch.path_of(robot.launch, near[0], each.package)}"
             if len(near) == 1
             else "correct the path, or add it",
@@ -65,3 +68,10 @@ def moveit_file_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(other.where, f"{other.path} is missing, too") for other in others),
             ],
         )
+
+
+def homes_of(robot: Robot, path: str) -> list[str]:
+    """The packages of the workspace that have a file at this place."""
+    packages = robot.launch.workspace.packages.values()
+    places = {os.path.normpath(name) for name in robot.tree.named(os.path.basename(path))}
+    return [each.name for each in packages if os.path.normpath(os.path.join(each.folder, path)) in places]

@@ -108,9 +108,9 @@ def not_there(robot: Robot, first: topics.DeadRemapping, *others: topics.DeadRem
         first.source,
         f"{first.node.label()} ({program} of {launch.literal_text(started.package)}) has no topic or service "
         f"'{first.source}': the remapping has no effect",
-        advice=f"give it to the node that has the name, or remap what this one has ({names})"
+        advice=f"remap what this node has ({names}), or remove it; if another node has the name, remap it there"
         if names
-        else "give it to the node that has the name, or remove it",
+        else "remove it; if another node has the name, remap it there",
         related=[note(each.source, f"it has no '{each.source}' either") for each in others],
         chain=robot.provenance.chain_to_node(started),
         severity="info" if all(each.harmless for each in (first, *others)) and not is_one else None,

@@ -96,9 +96,12 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
     related += left_out
     related += passed(robot, expansion.entry, name)
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
+    what = f"launch configuration '{name}' is not declared"
+    if left_out:
+        what = f"the declaration of '{name}' is not in the launch description"
     return finding(
         uses[first].argument.name,
-        f"launch configuration '{name}' is not declared: launch aborts unless {name}:= is passed",
+        f"{what}: launch aborts unless {name}:= is passed",
         advice=f"add the declaration of '{name}' to the launch description"
         if left_out
         else f"declare '{name}'" + (f", or read '{near[0]}'" if near else " before it is read" if late else ""),
@@ -110,12 +113,18 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
 def unlisted(file: LaunchFile, name: str) -> list[Related]:
     """The declaration that a Python file makes, and leaves out of its launch description."""
     text = file.source.text
-    made = re.search(rf"DeclareLaunchArgument\(\s*(?:name\s*=\s*)?['\"]({re.escape(name)})['\"]", text)
+    kept = r"(?:\b(?P<kept>\w+)\s*=\s*)?"
+    named = rf"(?:name\s*=\s*)?['\"](?P<name>{re.escape(name)})['\"]"
+    made = re.search(rf"{kept}DeclareLaunchArgument\(\s*{named}", text)
+    if made is None or file.format != "python":
+        return []
+    if made["kept"] and len(re.findall(rf"(?<!['\"])\b{made['kept']}\b(?!['\"])", text)) == 1:
+        return [note(file.source.span(*made.span("name")), "declared here, and never added")]
     lists = re.search(r"\breturn (LaunchDescription)\(\[", text)
-    if made is None or lists is None or file.format != "python":
+    if lists is None:
         return []
     return [
-        note(file.source.span(*made.span(1)), "declared here"),
+        note(file.source.span(*made.span("name")), "declared here"),
         note(file.source.span(*lists.span(1)), "which the launch description does not hold"),
     ]
 

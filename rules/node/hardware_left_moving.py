@@ -48,7 +48,7 @@ def hardware_left_moving(robot: Robot) -> Iterator[Finding]:
     for found in nodes.left_moving(robot.nodes):
         yield finding(
             found.place,
-            "Deactivated, this hardware sends nothing to its motors: they keep the velocity that write() sent last",
+            "on_deactivate() sends no stop to the motors: they keep the velocity that was sent last",
             advice="send a zero for every joint in on_deactivate()",
             related=[note(found.sends, "sends the commands")],
             severity=robot.nodes.lowered_if_vendored(found.source, "warning"),

@@ -73,7 +73,7 @@ def log_refused(robot: Robot) -> Iterator[Finding]:
         for each in nodes.refused_logs(robot.nodes.syntax(file)):
             groups.setdefault(each.kind, []).append(each)
         for kind, (first, *others) in groups.items():
-            end = "what follows in its try block never runs"
+            end = "the line is lost" if first.ends_try else "what follows in its try block never runs"
             if not first.caught:
                 end = nodes.end_where_called(robot.nodes.syntax(file), first.call)
             ends = end == "the node exits"

@@ -7,7 +7,7 @@ Python nodes that read or set a field which the message does not have, and value
 fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1; and a message that is used as if
 it were the list in one of its fields: `path[0]`, `len(scan)`, `for each in array`. The fields are those of the
 `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an info in packages that
-others wrote and the tree only carries.
+others wrote and the tree only carries, and in a function that nothing calls.
 
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
@@ -72,16 +72,24 @@ def message_field(robot: Robot) -> Iterator[Finding]:
         usual = "error" if nodes.is_checked(robot.target.ros) else "warning"
         of_values = robot.nodes.lowered_if_vendored(types.file.source, usual)
         for lacking, *rest in nodes.missing_fields(types):
+            idle = lacking.idle_function and robot.nodes.is_named_once(lacking.idle_function)
             yield finding(
                 types.file.span_of(lacking.place),
                 f"{lacking.type} has no field '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
                 advice=f"its fields are {', '.join(sorted(lacking.fields))}" if lacking.fields else "it has no fields",
-                related=[note(types.file.span_of(each.place), "the same") for each in rest],
-                severity=of_values if lacking.given else severity,
+                related=[
+                    note(
+                        types.file.span_of(each.place),
+                        "the same" if each.name == lacking.name else f"nor '{each.name}'",
+                    )
+                    for each in rest
+                ],
+                severity="info" if idle else of_values if lacking.given else severity,
             )
         for first, *others in nodes.wrong_fields(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]
             better = nodes.converted(first, spans[0].text)
+            idle = first.idle_function and robot.nodes.is_named_once(first.idle_function)
             edits = [(each, nodes.converted(first, each.text) or each.text) for each in spans]
             yield finding(
                 spans[0],
@@ -90,7 +98,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"write {better}" if better else f"give it {first.kind}",
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits, safe=False) if better else None,
-                severity=of_values,
+                severity="info" if idle else of_values,
             )
         for given in nodes.given_in_order(types):
             places = [types.file.span_of(call.args[0]) for call in given.calls]

@@ -45,7 +45,7 @@ def notification_lost(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.place,
             f"A notification of {first.name} that comes before this wait is lost, and the wait never ends: nothing "
-            "looks whether it is over already",
+            "looks, while it holds the mutex, whether it is over already",
             advice="set a flag under the mutex before notifying, and hand the wait a lambda that returns it",
             related=[
                 note(first.lock, "only here the lock is taken"),

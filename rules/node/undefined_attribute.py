@@ -82,28 +82,37 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
 
 def _missing(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.missing_attributes(robot.nodes):
-        name, end = first.place.attr, nodes.end_of(robot.nodes.syntax(first.file), first.place)
+        end = nodes.end_of(robot.nodes.syntax(first.file), first.place)
+        lacking, advice = _described(robot, first.file, first.place, first.owner.name or "its class")
         yield finding(
             first.file.span_of(first.place),
-            f"AttributeError when {first.function}() runs: nothing sets self.{name}, and {end}",
-            advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
+            f"AttributeError when {first.function}() runs: {lacking}, and {end}",
+            advice=f"write self.{first.like}" if first.like else advice,
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
             severity="info" if first.idle else robot.nodes.lowered_if_vendored(first.file.source, "error"),
         )
 
 
+def _described(robot: Robot, file: nodes.NodeSource, place: ast.Attribute, owner: str) -> tuple[str, str]:
+    """What a class lacks, and what to write: a method where it is called."""
+    outer, _ = next(robot.nodes.syntax(file).above(place))
+    if isinstance(outer, ast.Call) and outer.func is place:
+        return f"nothing defines self.{place.attr}()", f"define {place.attr}() in {owner}, or call what it has"
+    return f"nothing sets self.{place.attr}", f"set self.{place.attr} in __init__()"
+
+
 def _of_plain_classes(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.plain_attributes(robot.nodes):
-        name = first.place.attr
         end = nodes.end_of(robot.nodes.syntax(first.file), first.place, caught=first.caught)
+        lacking, advice = _described(robot, first.file, first.place, first.owner)
         idle = first.idle and robot.nodes.is_idle(first.file, first.function)
         severity = "warning" if first.function.startswith("__") and first.function != "__init__" else "error"
         if first.function in BY_OPERATORS:
             idle = not nodes.is_operated(robot.nodes, first)
         yield finding(
             first.file.span_of(first.place),
-            f"AttributeError when {first.function}() runs: nothing sets self.{name} in {first.owner}, and {end}",
-            advice=f"set self.{name} in __init__()",
+            f"AttributeError when {first.function}() runs: {lacking} in {first.owner}, and {end}",
+            advice=advice,
             related=[note(each.file.span_of(each.place), f"used in {each.function}() too") for each in others],
             severity="info" if idle else robot.nodes.lowered_if_vendored(first.file.source, severity),
         )

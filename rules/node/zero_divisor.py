@@ -50,10 +50,14 @@ def zero_divisor(robot: Robot) -> Iterator[Finding]:
             severity=robot.nodes.lowered(found.file.source, "warning"),
         )
     for node in robot.nodes.cpp:
-        for divisor in node.divisors:
+        for divisor, is_zero_too in node.divisors:
+            move, stop = _WHEN[divisor[-1]].split(", and ")
             yield finding(
                 divisor,
-                f"{divisor} is 0 in the command {_WHEN[divisor[-1]]}: the quotient is infinite, or no number at all",
+                f"{divisor} is 0 in the command {stop}, where 0 / 0 is NaN, and in the command {move}, where the "
+                "quotient is infinite"
+                if is_zero_too
+                else f"{divisor} is 0 in the command {move}, and {stop}: the quotient is infinite, or no number at all",
                 advice=ADVICE,
                 severity=robot.nodes.lowered(node.source, "warning"),
             )

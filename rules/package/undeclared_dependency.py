@@ -255,7 +255,7 @@ def _advice(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
     tag, key = declared[0]
     others = " and the others" if len(declared) > 1 else ""
     unheard = next((need.name for need in needs if robot.dependencies.is_unheard_of(need)), None)
-    where = f", and have the source of {unheard} in the workspace, or correct the name" if unheard is not None else ""
+    where = f", and where rosdep does not know {unheard}, its source to the workspace" if unheard is not None else ""
     return f"add <{tag}>{key}</{tag}>{others} to the package.xml of {package.name}{where}"
 
 

@@ -168,7 +168,7 @@ def _of_reader(lost: Unread) -> Finding:
     return finding(
         first.key,
         f"No source of the workspace reads '{first.name}'{_more(others)}: the value has no effect",
-        advice=f"write {near[0]}, or remove the value" if near else "write the name that the source reads",
+        advice=f"write {near[0]}, or remove the value" if near else "remove the value, or have the source read it",
         related=[
             note(lost.reader, f"{lost.read} other parameters of {lost.block.name} are read here"),
             *(note(each.key, f"'{each.name}' is not read either") for each in others[:10]),

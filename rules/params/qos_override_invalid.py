@@ -120,7 +120,9 @@ def _described(override: QosOverride, problem: OverrideProblem) -> tuple[str, st
     if problem is OverrideProblem.RELATIVE_TOPIC:
         return (
             f"The QoS override for '{override.topic}' is ignored: the topic needs its full name",
-            "write it with its namespace and a leading /",
+            "write it with its namespace and a leading /"
+            + ("" if override.has_entity else ", and publisher or subscription between it and the policy")
+            + (", and the value in small letters" if override.is_in_capitals else ""),
         )
     if problem is OverrideProblem.PARTS:
         near = nearest(override.parts[1], ("publisher", "subscription"), 4) if len(override.parts) == 3 else []

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.node_names import NodeNames
     from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
     from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.node_source import Parameter
     from bringup_lint.model.parameter_words import ParameterWords
     from bringup_lint.source import Located
     from bringup_lint.source import Source
@@ -119,6 +120,23 @@ class Topics:
         else:
             declared = [each for node in self.nodes.cpp if node.source is code.source for each in node.parameters]
         return {str(each.name): each.default for each in declared if each.known}
+
+    def defaults_beside(self, started: Started) -> dict[str, object]:
+        """The same of the other C++ sources of its package, which its program may consist of, where they agree."""
+        code = self.code(started)
+        if code is None or code.source is None:
+            return {}
+        owner = self.launch.workspace.owner
+        found: dict[str, list[Parameter]] = {}
+        for node in self.nodes.cpp:
+            if node.source is not code.source and owner(node.source) is owner(code.source):
+                for each in node.parameters:
+                    found.setdefault(str(each.name), []).append(each)
+        return {
+            name: first.default
+            for name, (first, *others) in found.items()
+            if first.known and all(each.known and each.default == first.default for each in others)
+        }
 
     def waits(self, started: Started) -> bool:
         """Whether the package of a launched program waits for a server, a message or a transform by itself."""

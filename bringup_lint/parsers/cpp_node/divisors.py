@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_source import Divisor
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
-from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -22,7 +22,7 @@ _MEASURED = regex(r"(?i)odom|state|pose|imu|measured|actual|current|feedback")
 _GUARDS = regex(r"\bis_?(?:nan|finite|normal|inf)|fpclassify|near_?zero|is_?zero|epsilon|\beps\b", re.I)
 
 
-def divisors(code: Code) -> Iterator[Located]:
+def divisors(code: Code) -> Iterator[Divisor]:
     data = code.source.text.encode("utf-8", "surrogatepass")
     for found in islice(_DIVISOR.finditer(data), DIVISORS):
         node = code.tree.root_node.descendant_for_byte_range(*found.span("divisor"))
@@ -33,7 +33,16 @@ def divisors(code: Code) -> Iterator[Located]:
         if code.text(operator) == "/" and right is not None and right.id == node.id:
             if not _MEASURED.search(code.text(node)) and not _is_guarded(code, node):
                 span = code.span(node)
-                yield code.source.located(span.start, span.end)
+                is_zero = _is_zero_too(code, node, outer.child_by_field_name("left"))
+                yield Divisor(code.source.located(span.start, span.end), is_zero)
+
+
+def _is_zero_too(code: Code, divisor: Node, dividend: Node | None) -> bool:
+    """Whether what is divided is a velocity of the same message, perhaps multiplied."""
+    text = code.text(divisor)
+    message = text.removesuffix("angular.z").removesuffix("linear.x")
+    factors = code.text(dividend).replace(" ", "").split("*")
+    return any(each in (f"{message}linear.x", f"{message}linear.y", f"{message}angular.z") for each in factors)
 
 
 def _is_guarded(code: Code, node: Node) -> bool:

@@ -36,6 +36,7 @@ _ELEMENT_SET = (
     r"|>>\s{{0,4}}{0}\b|&\s{{0,4}}{0}\b"
 )
 """The name of an array as what may get values: one of its elements, or all where it is handed over."""
+_LOOP = regex(r"\b(?:for|while|do)\b")
 _UNFOLLOWED = regex(r"^[ \t]*#|\bgoto\b|\[&|\b__?asm", re.M)
 
 
@@ -52,7 +53,11 @@ def unset(code: Code) -> Iterator[Unset]:
             if found is not None:
                 start = code.offset(declaration.end_byte)
                 used = code.source.span(start + found[0], start + found[1])
-                yield Unset(code.span(_declarator(name)), used, code.text(name))
+                loops = len(_LOOP.findall(rest, 0, found[0]))
+                is_kept = _is_from_itself(rest, found[1], code.text(name)) and loops <= (
+                    patterns[0] is _ELEMENT_CHANGED
+                )
+                yield Unset(code.span(_declarator(name)), used, code.text(name), is_kept)
 
 
 def _names(code: Code, declaration: Node) -> list[Node]:
@@ -84,6 +89,11 @@ def _rest(code: Code, declaration: Node) -> str:
     end = block.end_byte if block is not None else declaration.end_byte
     first, last = code.offset(declaration.end_byte), code.offset(end)
     return blanked(code.source.text[first : min(last, first + WINDOW)])
+
+
+def _is_from_itself(rest: str, start: int, name: str) -> bool:
+    """Whether what is added is computed from the value that the name has."""
+    return re.search(_NAMED.format(re.escape(name)), rest[start:].partition(";")[0]) is not None
 
 
 def _changed(rest: str, name: str, changes: str, sets: str) -> tuple[int, int] | None:

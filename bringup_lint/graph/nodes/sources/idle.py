@@ -18,7 +18,7 @@ _RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
 _UNFINISHED = regex(r"(?i)not implemented|do not (?:run|use|call)")
 
 
-def is_idle(syntax: Syntax, node: ast.expr) -> bool:
+def is_idle(syntax: Syntax, node: ast.expr | ast.keyword) -> bool:
     """Whether the function is only a stub, or nothing in its file mentions it but functions that nothing mentions."""
     function = syntax.function(node)
     return function is not None and syntax.once(_Idleness).begins(function) < node.lineno

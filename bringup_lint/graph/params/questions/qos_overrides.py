@@ -58,10 +58,21 @@ class QosOverride(NamedTuple):
         return ".".join(self.parts)
 
     @property
+    def has_entity(self) -> bool:
+        """Whether it is for the publisher or the subscription of a topic."""
+        return len(self.parts) == 3 and _ENTITY.match(self.parts[1]) is not None
+
+    @property
+    def is_in_capitals(self) -> bool:
+        """Whether its value is a word that rclcpp knows in small letters only."""
+        words, word = WORDS.get(self.parts[-1], ()), str(self.parameter.value.data)
+        return word not in words and word.lower() in words
+
+    @property
     def problem(self) -> OverrideProblem | None:
         if not self.topic.startswith("/"):
             return OverrideProblem.RELATIVE_TOPIC
-        if len(self.parts) != 3 or not _ENTITY.match(self.parts[1]):
+        if not self.has_entity:
             return OverrideProblem.PARTS
         return _value_problem(self.parts[2], self.parameter)
 

@@ -53,7 +53,7 @@ class Mismatch(NamedTuple):
         """Whether the block holds what the program of the node takes by itself."""
         node = self.load.node
         public = public_node(str(literal_text(node.package)), str(literal_text(node.plugin or node.executable)))
-        defaults = public.defaults if public is not None else topics.defaults(node)
+        defaults = public.defaults if public is not None else topics.defaults_beside(node) | topics.defaults(node)
         given = [(each.name, each.value.data) for each in self.block.parameters if each.name not in OF_EVERY_NODE]
         if public is not None:
             given = [(name, value) for name, value in given if public.declares(name)]

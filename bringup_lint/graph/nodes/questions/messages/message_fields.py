@@ -52,6 +52,8 @@ class NoField(NamedTuple):
     """It is an argument of the constructor."""
     end: str
     """What the exception ends, in words."""
+    idle_function: str
+    """The function around it, where nothing of the file calls it; else empty."""
 
 
 class WrongField(NamedTuple):
@@ -64,6 +66,8 @@ class WrongField(NamedTuple):
     got: str
     """The type of the value in words: ``an int``; or that it is out of range."""
     end: str
+    idle_function: str
+    """As that of a missing field."""
 
     @property
     def kind(self) -> str:
@@ -82,11 +86,17 @@ class Unnamed(NamedTuple):
 
 
 def missing_fields(types: MessageTypes) -> Iterator[list[NoField]]:
-    """The uses of fields that do not exist, those of one field of one type together."""
+    """The uses of fields that do not exist, those of one field of one type together, and those of one type that a
+    function uses after the first."""
     groups: dict[tuple[str, str, bool], list[NoField]] = {}
+    firsts: dict[tuple[ast.AST | None, str, bool], list[NoField]] = {}
     for each in sorted(_missing(types), key=lambda found: types.file.span_of(found.place).start):
-        groups.setdefault((each.type, each.name, each.given), []).append(each)
-    yield from groups.values()
+        known = groups.get((each.type, each.name, each.given))
+        if known is None:
+            known = firsts.setdefault((types.syntax.function(each.place), each.type, each.given), [])
+            groups[each.type, each.name, each.given] = known
+        known.append(each)
+    yield from firsts.values()
 
 
 def _missing(types: MessageTypes) -> Iterator[NoField]:
@@ -104,7 +114,9 @@ def _lacking(
     fields = types.interfaces.fields(owner) if owner is not None else None
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
-    yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place))
+    yield NoField(
+        place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place), _idle(types, place)
+    )
 
 
 def given_in_order(types: MessageTypes) -> Iterator[Unnamed]:
@@ -184,12 +196,18 @@ def _of_wrong_type(types: MessageTypes, owner: str | None, name: str, value: ast
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value))
+            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value), _idle(types, value))
             return
 
 
 def _end(types: MessageTypes, node: ast.AST) -> str:
     return end_of(types.syntax, node, caught=types.syntax.catches(node, _CAUGHT))
+
+
+def _idle(types: MessageTypes, place: ast.expr | ast.keyword) -> str:
+    """The function around a place, where nothing of the file calls it; else empty."""
+    function = types.syntax.function(place)
+    return function.name if function is not None and is_idle(types.syntax, place) else ""
 
 
 def _arms(value: ast.expr) -> Iterator[ast.expr]:

@@ -22,6 +22,7 @@ _OPTIONS = frozenset({"name", "once", "skip_first", "throttle_duration_sec", "th
 _NUMBERS = frozenset({"len", "int", "float", "list", "dict", "tuple", "set"})
 """Functions of Python that make no text."""
 _PLACEHOLDER = regex(r"%(?:%|[-+ #0]{0,4}\d{0,4}(?:\.\d{1,4})?[sdrifgexX])")
+_LOOPS = (ast.For, ast.AsyncFor, ast.While)
 CAUGHT = frozenset({"TypeError", "Exception", "BaseException"})
 
 
@@ -33,6 +34,8 @@ class RefusedLog(NamedTuple):
     """The first argument too many, the message, or the option."""
     caught: bool
     """A ``try`` around it takes the TypeError."""
+    ends_try: bool
+    """Nothing comes after it in this ``try``."""
 
     @property
     def formats(self) -> bool:
@@ -52,7 +55,21 @@ def refused_logs(syntax: Syntax) -> Iterator[RefusedLog]:
         if level in _LEVELS and isinstance(call.func, ast.Attribute) and not syntax.is_dead(call):
             found = _wrong(syntax, call, level)
             if found is not None and loggers.has(call.func.value):
-                yield RefusedLog(call, *found, syntax.catches(call, CAUGHT))
+                yield RefusedLog(call, *found, syntax.catches(call, CAUGHT), _ends_try(syntax, call))
+
+
+def _ends_try(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether a call is the last that the innermost ``try`` around it does, once."""
+    inner: ast.AST = call
+    for outer, name in syntax.within(call):
+        if isinstance(inner, ast.stmt) and syntax.after(inner):
+            return False
+        if isinstance(outer, ast.Try) and name == "body":
+            return not outer.orelse
+        if isinstance(outer, _LOOPS):
+            return False
+        inner = outer
+    return False
 
 
 def _wrong(syntax: Syntax, call: ast.Call, level: str) -> tuple[str, ast.expr | ast.keyword] | None:

@@ -39,6 +39,8 @@ _LOGGER = regex(r"log|console", re.I, "log console")
 """What has a method error() that only says something; that of a parser of arguments ends the program."""
 _ASKS_LENGTH = ("empty", "qsize")
 
+_MACHINES = (frozenset({"x86_64", "amd64"}), frozenset({"aarch64", "arm64"}))
+"""The architectures that ROS 2 has packages for, under each of their names."""
 _FOLLOWED = 200
 """Statements after a ``try`` or ``if`` that are looked at."""
 
@@ -160,7 +162,7 @@ class _Locals:
         for statement in self._nodes:
             if isinstance(statement, ast.If) and self._is_open(statement):
                 branches = _branches(statement)
-                if branches is None or (len(branches) > 1 and not self._has_others(statement)):
+                if branches is None or (len(branches) > 1 and not self._has_others(statement)) or _is_whole(statement):
                     continue
                 inside = [{part for each in branch for part in walk(each)} for branch in branches]
                 made = dict(self._made_in(set().union(*inside)))
@@ -293,6 +295,20 @@ def _branches(choice: ast.If) -> list[list[ast.stmt]] | None:
         choice = choice.orelse[0]
         branches.append(choice.body)
     return branches if not choice.orelse else None
+
+
+def _is_whole(choice: ast.If) -> bool:
+    """Whether a chain has a branch for each architecture."""
+    words = {word for test in _tests(choice) for part in walk(test) for word in _words(part)}
+    return not any(words.isdisjoint(names) for names in _MACHINES)
+
+
+def _tests(choice: ast.If) -> Iterator[ast.expr]:
+    """The conditions of an ``if`` and of all its ``elif``."""
+    yield choice.test
+    while len(choice.orelse) == 1 and isinstance(choice.orelse[0], ast.If):
+        choice = choice.orelse[0]
+        yield choice.test
 
 
 def _handled(syntax: Syntax) -> frozenset[str]:
