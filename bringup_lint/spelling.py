@@ -50,6 +50,11 @@ def nearest_of_few(word: str, known: Collection[Word], farthest: int = 2) -> lis
     return nearest(word, sorted(known), farthest) if len(known) <= _MANY else []
 
 
+def longer(name: str, known: Iterable[str]) -> list[str]:
+    """The known names that have all words of a name together, and others beside them."""
+    return [each for each in known if each != name and f"_{name}_" in f"_{each}_"]
+
+
 class WordSlips:
     """Names of several words, of which each misspelt one is found in a time that does not depend on how many there
     are."""

@@ -8,6 +8,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from bringup_lint.spelling import Neighbours
     from bringup_lint.spelling import is_slip
+    from bringup_lint.spelling import longer
     from bringup_lint.spelling import nearest
     from bringup_lint.spelling import nearest_of_few
     from bringup_lint.spelling import numbered
@@ -17,6 +18,7 @@ else:
 __all__ = [
     "Neighbours",
     "is_slip",
+    "longer",
     "nearest",
     "nearest_of_few",
     "numbered",

@@ -57,6 +57,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import may_fail
+from bringup_lint.api.spelling import longer
 from bringup_lint.api.spelling import nearest_of_few
 
 SYMLINKS = regex(r"--symlink-install\b")
@@ -284,9 +285,9 @@ def of_other_package(start: Start, package: launch.Package, home: launch.Package
 def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
     few = package.executables if len(package.executables) <= MANY else ()
-    longer = [each for each in few if f"_{executable}_" in f"_{each}_"]
+    fuller = longer(executable, few)
     alike = [each for each in few if bare_name(each) == bare_name(executable)]
-    sure = longer if len(longer) == 1 else alike
+    sure = fuller if len(fuller) == 1 else alike
     near = sure if len(sure) == 1 else nearest_of_few(executable, package.executables, 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []

@@ -43,6 +43,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import longer
 from bringup_lint.api.spelling import nearest
 
 
@@ -112,11 +113,14 @@ def unknown(
     for name in names:
         if name in known or name in launch.OF_LAUNCH:
             continue
-        near = nearest(name, sorted(known - set(names)), 3)
+        free = sorted(known - set(names))
+        near = nearest(name, free, 3)
+        fuller = longer(name, free)
+        meant = near or (fuller if len(fuller) == 1 else [])
         yield finding(
             name,
             f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
-            advice=f"pass '{near[0]}'" if near else "remove it, or declare it there",
+            advice=f"pass '{meant[0]}'" if meant else "remove it, or declare it there",
             related=[note(target.entry or target.source, "the launched file")],
             chain=robot.provenance.chain_to(name, f"'{name}' is passed"),
             fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)

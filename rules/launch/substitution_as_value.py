@@ -3,8 +3,9 @@
 ## What it finds
 `LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
 with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
-instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning: what it keeps out
-seldom comes. So is a key where the included file has the same value as its default.
+instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning where the argument is
+empty by default, else an info: what it keeps out seldom comes. A key is a warning where the included file has the same
+value as its default.
 
 ## Why it matters on a robot
 The description is built before launch knows any argument, and the object is not its value. A comparison is always
@@ -49,7 +50,10 @@ EFFECTS = {
     EMPTY: (COMPARED, "compare the result of perform(context) in an OpaqueFunction"),
     "condition": ("is an object, which is always true: the argument decides nothing", "use IfCondition"),
     "text": ("is an object: the text holds '<launch.substitutions…>' instead of the value", "write a list of parts"),
-    "path": ("is an object and no path: launch ends with a TypeError", "use PathJoinSubstitution"),
+    "path": (
+        "is an object and no path: launch ends with a TypeError",
+        "use PathJoinSubstitution, or where Python opens the file itself, perform(context) in an OpaqueFunction",
+    ),
     "added": ("is an object and no text: launch ends with a TypeError", "write a list of parts"),
     "number": ("is an object and no number: launch ends with a TypeError", ADVICE),
     "looked-up": ("is an object: the dictionary has no such key", ADVICE),
@@ -83,7 +87,15 @@ def severity_of(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue
     """That of an argument of an include which is never placed is low."""
     if use.how == "argument-name" and any(each.start <= use.span.start < each.end for each in file.idle):
         return "info"
-    return "warning" if use.how == EMPTY or is_default(robot, file, use) else None
+    if use.how == EMPTY:
+        return "warning" if is_empty(robot, file, use) else "info"
+    return "warning" if is_default(robot, file, use) else None
+
+
+def is_empty(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:
+    """Whether an argument is the empty text unless somebody gives it."""
+    declared = (each.action for each in robot.launch.expansion(file).declared if each.name == use.argument.name)
+    return any(each.default is not None and launch.literal(each.default) == "" for each in declared)
 
 
 def is_default(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:

@@ -2,7 +2,8 @@
 
 ## What it finds
 In C++ `declare_parameter<bool>("x", "false")` and `get_parameter_or<bool>("x", x, "false")`: a default that means no
-and is a string literal. It is a warning where everything that starts the node gives it the parameter.
+and is a string literal. It is a warning where everything that starts the node gives it the parameter, and an info where
+another call of the file declares it: a declared parameter has a value, or the declaration has thrown before.
 
 ## Why it matters on a robot
 A string literal is an address, and an address converts to `true`, whatever the text says. The compiler accepts it, with
@@ -44,9 +45,12 @@ def bool_from_text(robot: Robot) -> Iterator[Finding]:
         for name, text in source.texts_as_bool:
             if text.lower() in MEANS_NO:
                 is_given = name is not None and robot.topics.is_always_given(source.source, name)
+                is_unused = any(each.name == name and not each.span.holds(text.span) for each in source.parameters)
                 yield finding(
                     text,
                     f'"{text}" is a text, and its address converts to true: without the parameter this is on',
                     advice="write false without quotes",
-                    severity=robot.nodes.lowered(source.source, "warning" if is_given else "error"),
+                    severity="info"
+                    if is_unused
+                    else robot.nodes.lowered(source.source, "warning" if is_given else "error"),
                 )

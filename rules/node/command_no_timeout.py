@@ -53,7 +53,7 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-ADVICE = "keep the time of the last command, and stop when it is older than half a second"
+ADVICE = "keep the time of the last command, and stop when it is older than its sender ever pauses, say half a second"
 
 
 @rule("warning", confidence="medium", silent="the absence of messages is not an event", tags=["CWE-672"])

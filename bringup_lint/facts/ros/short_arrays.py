@@ -7,7 +7,6 @@ from bringup_lint.pattern import regex
 EMPTY = {
     "nav_msgs/msg/Path": ("poses",),
     "geometry_msgs/msg/PoseArray": ("poses",),
-    "trajectory_msgs/msg/JointTrajectory": ("points",),
     "visualization_msgs/msg/MarkerArray": ("markers",),
     "vision_msgs/msg/Detection2DArray": ("detections",),
     "vision_msgs/msg/Detection3DArray": ("detections",),
@@ -19,7 +18,7 @@ EMPTY = {
     "yolov8_msgs/msg/DetectionArray": ("detections",),
     "darknet_ros_msgs/msg/BoundingBoxes": ("bounding_boxes",),
 }
-"""Messages that come without elements in regular operation: nothing is seen, or a path or trajectory is cleared."""
+"""Messages that come without elements in regular operation: nothing is seen, or a path is cleared."""
 SEEN_WORDS = "detections|bounding_boxes|boxes|objects|obstacles|persons|people|faces|tracks|markers|marker_ids"
 SEEN = regex(rf"(?:{SEEN_WORDS})\Z")
 """Names for the same in messages of the robot's own."""
