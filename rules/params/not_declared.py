@@ -21,7 +21,8 @@ releases have changed, unless the tree is for a distribution that never got thes
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least three others of the block, and most of them. Also those that
-the file of a generate_parameter_library has not, in a block of the same name as its node.
+the file of a generate_parameter_library has not, in a block of the same name as its node. Both are an info where the
+tree has launch files and nothing names the parameter file.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -63,6 +64,7 @@ from bringup_lint.api.params import GoneParameters
 from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import Unread
 from bringup_lint.api.params import gone_parameters
+from bringup_lint.api.params import severity_of_refusal
 from bringup_lint.api.params import undeclared
 from bringup_lint.api.params import unknown_to_public
 from bringup_lint.api.params import unlisted
@@ -109,7 +111,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             yield _of_renamed(robot, renamed)
     for lost in (*unread(robot.params, robot.launch), *unlisted(robot.params, robot.launch)):
         if not said & {parameter.key.span for parameter in lost.parameters}:
-            yield _of_reader(lost)
+            yield _of_reader(robot, lost)
 
 
 def _advice(robot: Robot, node: LaunchedNode) -> str:
@@ -161,8 +163,9 @@ def _of_renamed(robot: Robot, found: GoneParameters) -> Finding:
     )
 
 
-def _of_reader(lost: Unread) -> Finding:
+def _of_reader(robot: Robot, lost: Unread) -> Finding:
     """A finding about parameters that no source names, beside others that one reads."""
+    is_unused = severity_of_refusal(robot.params, lost.file) == "info"
     first, *others = lost.parameters
     near = nearest(str(first.name), lost.names, 4)
     return finding(
@@ -174,6 +177,7 @@ def _of_reader(lost: Unread) -> Finding:
             *(note(each.key, f"'{each.name}' is not read either") for each in others[:10]),
         ],
         confidence="medium",
+        severity="info" if is_unused else None,
     )
 
 

@@ -58,15 +58,15 @@ def unlisted(params: Params, launch: Launch) -> Iterator[Unread]:
         libraries.setdefault(each.node, []).append(each)
     if not libraries:
         return
-    blocks = (block for file in params.judged if file.accepted and not file.uncertain for block in file.blocks)
-    for block in blocks:
+    files = (file for file in params.judged if file.accepted and not file.uncertain)
+    for file, block in ((each, block) for each in files for block in each.blocks):
         known = libraries.get(block.node_name, [])
         own = own_parameters(block) if len(known) == 1 else []
         lacking = [each for each in own if not known[0].has(str(each.name))]
         count = len(own) - len(lacking)
         left = tuple(each for each in lacking if _is_new(params, known[0], str(each.name)))
         if left and count >= max(SURE, MOST * len(own)):
-            yield Unread(block, left, known[0].where, count, known[0].names)
+            yield Unread(file, block, left, known[0].where, count, known[0].names)
 
 
 def _is_new(params: Params, library: _Library, name: str) -> bool:

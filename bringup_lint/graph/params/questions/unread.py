@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
@@ -67,6 +68,7 @@ MOST = 0.6
 class Unread(NamedTuple):
     """Parameters of one block that nothing reads."""
 
+    file: ParameterFile
     block: Block
     parameters: tuple[Parameter, ...]
     reader: Span
@@ -80,9 +82,10 @@ class Unread(NamedTuple):
 def unread(params: Params, launch: Launch) -> Iterator[Unread]:
     """Only where the source is that of the node, by far the most of whose parameters it reads, and no launch file gives
     the name to a program of another origin."""
-    blocks = [block for file in params.judged if file.accepted and not file.uncertain for block in file.blocks]
-    asked = [(block, own) for block in blocks if len(own := own_parameters(block)) > SURE]
-    named = [(block, own, lacking) for block, own in asked if (lacking := _unnamed(params, own))]
+    files = [file for file in params.judged if file.accepted and not file.uncertain]
+    blocks = [(file, block, own_parameters(block)) for file in files for block in file.blocks]
+    asked = [(file, block, own) for file, block, own in blocks if len(own) > SURE]
+    named = [(file, block, own, lacking) for file, block, own in asked if (lacking := _unnamed(params, own))]
     if not named:
         return
     reading = {source: names for source in params.code if len(names := _names(source)) >= SURE}
@@ -92,7 +95,7 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
             by_name.setdefault(name, []).append(source)
     foreign = _foreign(launch)
     pieces = _pieces(params)
-    for block, own, lacking in named:
+    for file, block, own, lacking in named:
         readers, count = _readers(by_name, own)
         names = frozenset().union(*(reading[each] for each in readers))
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
@@ -100,7 +103,7 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
         is_own = any(_is_named(block.node_name, each) for each in readers)
         if left and is_alone and is_own and block.node_name not in foreign and count >= max(SURE, MOST * len(own)):
             first = next(_READ.finditer(readers[0].text))
-            yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
+            yield Unread(file, block, tuple(left), readers[0].span(*first.span("name")), count, names)
 
 
 def _unnamed(params: Params, own: list[Parameter]) -> list[Parameter]:
