@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.unread import unread
     from bringup_lint.graph.params.questions.wrong_types import WrongType
     from bringup_lint.graph.params.questions.wrong_types import wrong_types
+    from bringup_lint.graph.params.refused_files import is_left
     from bringup_lint.graph.params.refused_files import severity_of_refusal
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.values import holds_maps
@@ -103,6 +104,7 @@ __all__ = [
     "holds_maps",
     "indenting_tabs",
     "is_flattened",
+    "is_left",
     "is_never_read",
     "lopsided",
     "navigation_problems",

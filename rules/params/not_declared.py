@@ -64,7 +64,7 @@ from bringup_lint.api.params import GoneParameters
 from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import Unread
 from bringup_lint.api.params import gone_parameters
-from bringup_lint.api.params import severity_of_refusal
+from bringup_lint.api.params import is_left
 from bringup_lint.api.params import undeclared
 from bringup_lint.api.params import unknown_to_public
 from bringup_lint.api.params import unlisted
@@ -165,7 +165,6 @@ def _of_renamed(robot: Robot, found: GoneParameters) -> Finding:
 
 def _of_reader(robot: Robot, lost: Unread) -> Finding:
     """A finding about parameters that no source names, beside others that one reads."""
-    is_unused = severity_of_refusal(robot.params, lost.file) == "info"
     first, *others = lost.parameters
     near = nearest(str(first.name), lost.names, 4)
     return finding(
@@ -177,7 +176,7 @@ def _of_reader(robot: Robot, lost: Unread) -> Finding:
             *(note(each.key, f"'{each.name}' is not read either") for each in others[:10]),
         ],
         confidence="medium",
-        severity="info" if is_unused else None,
+        severity="info" if is_left(robot.params, lost.file) else None,
     )
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 _MOST = 200_000
 """Characters of a page that are looked at."""
+_PUT_TOGETHER = regex(r"(?:\+\s{0,4}[\"'][\w.-]{0,40}|[})][\w.-]{0,40}|[\"'])\.ya?ml\b", hints=".yaml .yml")
+"""The end of a name whose stem is computed: ``robot + "_config.yaml"``, ``f"{robot}.yaml"``."""
 _IMPORTED = regex(r"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
 
 
@@ -27,6 +29,14 @@ def severity_of_refusal(params: Params, file: ParameterFile) -> str | None:
         return None
     is_for_tests = params.files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
     return "info" if _is_unused(params, file) or is_for_tests else "warning"
+
+
+def is_left(params: Params, file: ParameterFile) -> bool:
+    """Whether the tree starts nodes, nothing of it names a file, and no launch file puts the name together."""
+    workspace = params.launch().workspace
+    owner = workspace.owner(file.source)
+    beside = (each for each in params.files.of_kind(*LAUNCH) if owner is None or workspace.owner(each) is owner)
+    return _is_unused(params, file) and not any(each.matches(_PUT_TOGETHER) for each in beside)
 
 
 def _is_unused(params: Params, file: ParameterFile) -> bool:
