@@ -72,7 +72,6 @@ def message_field(robot: Robot) -> Iterator[Finding]:
         usual = "error" if nodes.is_checked(robot.target.ros) else "warning"
         of_values = robot.nodes.lowered_if_vendored(types.file.source, usual)
         for lacking, *rest in nodes.missing_fields(types):
-            idle = lacking.idle_function and robot.nodes.is_named_once(lacking.idle_function)
             yield finding(
                 types.file.span_of(lacking.place),
                 f"{lacking.type} has no field '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
@@ -84,12 +83,11 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                     )
                     for each in rest
                 ],
-                severity="info" if idle else of_values if lacking.given else severity,
+                severity="info" if _is_idle(robot, lacking.idle_function) else of_values if lacking.given else severity,
             )
         for first, *others in nodes.wrong_fields(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]
             better = nodes.converted(first, spans[0].text)
-            idle = first.idle_function and robot.nodes.is_named_once(first.idle_function)
             edits = [(each, nodes.converted(first, each.text) or each.text) for each in spans]
             yield finding(
                 spans[0],
@@ -98,7 +96,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"write {better}" if better else f"give it {first.kind}",
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits, safe=False) if better else None,
-                severity="info" if idle else of_values,
+                severity="info" if _is_idle(robot, first.idle_function) else of_values,
             )
         for given in nodes.given_in_order(types):
             places = [types.file.span_of(call.args[0]) for call in given.calls]
@@ -115,7 +113,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 f"This publisher takes a {wrong.wanted}, and gets {wrong.got}: TypeError, and {wrong.end}",
                 advice=f"make a {wrong.wanted.rpartition('/')[2]} of it, and publish that",
                 related=[note(types.file.span_of(wrong.made), "the publisher is made with this type")],
-                severity=severity,
+                severity="info" if _is_idle(robot, wrong.idle_function) else severity,
             )
         for used in nodes.used_as_lists(types):
             name = used.type.rpartition("/")[2]
@@ -125,6 +123,11 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"take its field {' or '.join(used.lists)}" if used.lists else "take one of its fields",
                 severity="info" if used.idle else severity,
             )
+
+
+def _is_idle(robot: Robot, function: str) -> bool:
+    """Whether nothing of the tree calls a function that nothing of its file calls."""
+    return bool(function) and robot.nodes.is_named_once(function)
 
 
 def _consequence(lacking: nodes.NoField, distribution: str | None) -> str:

@@ -24,6 +24,12 @@ def is_idle(syntax: Syntax, node: ast.expr | ast.keyword) -> bool:
     return function is not None and syntax.once(_Idleness).begins(function) < node.lineno
 
 
+def idle_function(syntax: Syntax, node: ast.expr | ast.keyword) -> str:
+    """The function around a place, where it is idle; else empty."""
+    function = syntax.function(node)
+    return function.name if function is not None and is_idle(syntax, node) else ""
+
+
 def is_late(syntax: Syntax, node: ast.expr) -> bool:
     """Whether the function spins, or waits for the end of a thread, before: the node has done its work."""
     function = syntax.function(node)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.sources.idle import idle_function
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
 from bringup_lint.graph.nodes.sources.what_ends import end_of
@@ -114,9 +115,8 @@ def _lacking(
     fields = types.interfaces.fields(owner) if owner is not None else None
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
-    yield NoField(
-        place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place), _idle(types, place)
-    )
+    given, idle = isinstance(place, ast.keyword), idle_function(types.syntax, place)
+    yield NoField(place, name, owner, tuple(fields), given, _end(types, place), idle)
 
 
 def given_in_order(types: MessageTypes) -> Iterator[Unnamed]:
@@ -196,18 +196,13 @@ def _of_wrong_type(types: MessageTypes, owner: str | None, name: str, value: ast
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value), _idle(types, value))
+            idle = idle_function(types.syntax, value)
+            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value), idle)
             return
 
 
 def _end(types: MessageTypes, node: ast.AST) -> str:
     return end_of(types.syntax, node, caught=types.syntax.catches(node, _CAUGHT))
-
-
-def _idle(types: MessageTypes, place: ast.expr | ast.keyword) -> str:
-    """The function around a place, where nothing of the file calls it; else empty."""
-    function = types.syntax.function(place)
-    return function.name if function is not None and is_idle(types.syntax, place) else ""
 
 
 def _arms(value: ast.expr) -> Iterator[ast.expr]:
