@@ -113,12 +113,12 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
 def unlisted(file: LaunchFile, name: str) -> list[Related]:
     """The declaration that a Python file makes, and leaves out of its launch description."""
     text = file.source.text
-    kept = r"(?:\b(?P<kept>\w+)\s*=\s*)?"
     named = rf"(?:name\s*=\s*)?['\"](?P<name>{re.escape(name)})['\"]"
-    made = re.search(rf"{kept}DeclareLaunchArgument\(\s*{named}", text)
+    made = re.search(rf"(?:\b(?P<kept>\w+)\s*=\s*)?DeclareLaunchArgument\(\s*{named}", text)
     if made is None or file.format != "python":
         return []
-    if made["kept"] and len(re.findall(rf"(?<!['\"])\b{made['kept']}\b(?!['\"])", text)) == 1:
+    kept = re.escape(made["kept"] or "")
+    if kept and len(re.findall(rf"(?<!['\"])\b{kept}\b(?!['\"])", text)) == 1:
         return [note(file.source.span(*made.span("name")), "declared here, and never added")]
     lists = re.search(r"\breturn (LaunchDescription)\(\[", text)
     if lists is None:
