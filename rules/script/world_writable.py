@@ -58,6 +58,16 @@ NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker
 
 
 MODE = regex(r"(?:--mode=|-[a-zA-Z]*m)(?P<mode>\S*)")
+INSTEAD = {
+    "file": "mode 664 or 640",
+    "folder": "mode 2775 or 750",
+    "file or folder": "chmod g+w,o-w",
+    "files": "chmod -R u+rwX,g+rwX,o-w",
+}
+"""The modes that are enough for a group."""
+OF_FILE = regex(r"[0-7]*[0246]")
+"""A folder with such a mode cannot be entered."""
+DATA = regex(r"/\.?[\w-]*\.(?:ya?ml|json|xml|conf|cfg|ini|env|txt|rules|service|list)$|/\.env$|^\.env$|/id_\w+$")
 RECURSIVE = regex(r"-\w*R\w*|--recursive")
 DEEPEST = 64
 """Folders above a path that are looked at."""
@@ -73,20 +83,32 @@ def world_writable(robot: Robot) -> Iterator[Finding]:
         mode, paths = _opened(run) if run.name == "chmod" else _made(run)
         for path, word in paths:
             if _is_trusted(path) and not closed.is_after(at, source, path):
-                yield _of(word, f"{run.name} {mode}", path, None if run.certain else "medium")
+                what = _kind(run, mode, path)
+                yield _of(word, f"{run.name} {mode}", path, what, None if run.certain else "medium")
     for source in robot.of_kind("ansible"):
         if source.judged and "mode" in source.text:
-            for where, mode, path in _of_tasks(source):
-                yield _of(where, mode, path, None)
+            for where, mode, path, what in _of_tasks(source):
+                yield _of(where, mode, path, what, None)
 
 
-def _of(where: Located, mode: str, path: str, confidence: str | None) -> Finding:
+def _of(where: Located, mode: str, path: str, what: str, confidence: str | None) -> Finding:
     return finding(
         where,
         f"{mode} lets every user and every service of the robot change {path}",
-        advice="give the file to a group that needs it, with mode 664 or 640",
+        advice=f"give the {what} to a group that needs {'them' if what == 'files' else 'it'}, with {INSTEAD[what]}",
         confidence=confidence,
     )
+
+
+def _kind(run: Run, mode: str, path: str) -> str:
+    """What a command opens: a folder and a program are of no use without the right to enter or run them."""
+    if run.name != "chmod":
+        return "folder" if _makes_folder(run) else "file"
+    if any(map(RECURSIVE.fullmatch, run.words)):
+        return "files"
+    if path.endswith("/"):
+        return "folder"
+    return "file" if OF_FILE.fullmatch(mode) or DATA.search(path) else "file or folder"
 
 
 def _is_trusted(path: str) -> bool:
@@ -147,16 +169,24 @@ def _made(run: Run) -> tuple[str, list[tuple[str, Located]]]:
             paths.append((run.text(word), word))
     if not _is_open(mode) and not (run.name == "mkdir" and OF_ALL.fullmatch(mode)):
         return "", []
-    is_folder = run.name == "mkdir" or any(re.fullmatch(r"-[a-zA-Z]*d\w*|--directory", word) for word in run.words)
-    return f"-m {mode}", paths if is_folder else paths[-1:]
+    return f"-m {mode}", paths if _makes_folder(run) else paths[-1:]
 
 
-def _of_tasks(source: Source) -> Iterator[tuple[Located, str, str]]:
-    """The modes of tasks that everybody may write with, and the paths."""
+def _makes_folder(run: Run) -> bool:
+    return run.name == "mkdir" or any(re.fullmatch(r"-[a-zA-Z]*d\w*|--directory", word) for word in run.words)
+
+
+def _of_tasks(source: Source) -> Iterator[tuple[Located, str, str, str]]:
+    """The modes of tasks that everybody may write with, the paths, and what is there."""
     for given in file_modes(source):
         mode, state = given.mode.value, given.settings.scalar("state")
         path = given.settings.scalar("path") or given.settings.scalar("dest")
         if path is None or (state is not None and state.value in ("link", "absent")):
             continue
         if (given.is_octal or not mode.isdigit()) and _is_open(mode) and _is_trusted(path.value):
-            yield mode, f"mode {mode}", path.value
+            yield (
+                mode,
+                f"mode {mode}",
+                path.value,
+                "folder" if state is not None and state.value == "directory" else "file",
+            )
