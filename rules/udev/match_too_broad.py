@@ -57,6 +57,8 @@ _BROAD = {
     ("ENV", "MAJOR"),
     ("KERNEL", ""),
 }
+OF_USB = "add ATTRS{idVendor}, ATTRS{idProduct} and ATTRS{serial}, or KERNELS for the port"
+OF_INPUT = "add ATTRS{name}, or ATTRS{uniq} with the address of a Bluetooth device"
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "OPTIONS", "GOTO")
 
 
@@ -78,6 +80,6 @@ def match_too_broad(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     link.name,
                     f"Every {what} gets the link {link.path}: the last one keeps it",
-                    advice="add ATTRS{idVendor}, ATTRS{idProduct} and ATTRS{serial}, or KERNELS for the port",
+                    advice=OF_INPUT if line.is_for("input") else OF_USB,
                     severity="warning" if named else None,
                 )
