@@ -37,6 +37,12 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Volume
 
+PROXY = "put a socket proxy in between that lets only the requests pass that it needs"
+ADVICE = f"remove the volume if the service does not manage containers; if it does, run nothing else in it, and {PROXY}"
+OF_PRIVILEGED = (
+    "remove privileged: true, which gives the same right, and then the volume if the service does not manage "
+    f"containers; if it does, {PROXY}"
+)
 MANAGES = regex(
     r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker|yacht|dockge|traefik"
     r"|nginx-proxy|docker-gen|cadvisor|telegraf|promtail|docker-socket-proxy|openhands)(?=[:@]|$)"
@@ -50,11 +56,12 @@ def docker_sock(robot: Robot) -> Iterator[Finding]:
         for volume in service.volumes:
             own = volume.where.span.start >= service.body.span.start
             if own and _is_socket(volume):
+                rootless = ", unless the daemon is rootless" if str(volume.source).startswith("$") else ""
                 yield finding(
                     volume.where,
-                    f"Service '{service.name}' controls the Docker daemon: whoever breaks into it is root on the host",
-                    advice="remove the volume if the service does not manage containers; if it does, run nothing else "
-                    "in it, and put a socket proxy in between that lets only the requests pass that it needs",
+                    f"Service '{service.name}' controls the Docker daemon: whoever breaks into it is root on the host"
+                    f"{rootless}",
+                    advice=OF_PRIVILEGED if service.is_privileged else ADVICE,
                     severity="info" if service.image is not None and MANAGES.search(service.image) else None,
                 )
 
