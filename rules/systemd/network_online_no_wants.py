@@ -56,8 +56,8 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
             needless = f"remove this After=, or add Wants={ONLINE} where its start needs an address"
             yield finding(
                 word,
-                f"Nothing pulls in {ONLINE}, so this After= has no effect: {unit.name} starts without waiting for the "
-                "network",
+                f"{unit.name} does not pull in {ONLINE}, and nothing else in this tree does: unless an installed "
+                "package pulls it in, this After= has no effect, and the start does not wait for the network",
                 advice=needed if unit in units.dds else needless,
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )
