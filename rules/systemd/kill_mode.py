@@ -44,6 +44,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.systemd import Unit
 
 TRAP = regex(
@@ -54,6 +55,10 @@ TRAP = regex(
 """The script ends them itself, or means them to outlive it."""
 ENDS = regex(r"\b(?:pkill|killall)\b([^\n;&|]{0,200})", hints="pkill killall")
 NAME = regex(r"[\w.+-]+")
+OF_SHORT_SCRIPT = (
+    "end the script with wait, so that it runs for as long as what it starts, and set KillMode=mixed: without wait, "
+    "systemd would end it together with the script"
+)
 SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logger", "systemd-notify"))
 """Programs that end by themselves."""
 
@@ -86,13 +91,21 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
             what, them = ("what its script leaves in the background keeps", "it")
         is_doubled = robot.units.restart(unit).restart != "no" and not (left and _ends_earlier(left))
         again = f", and a restart starts {them} twice" if is_doubled else ""
+        waits = left is None or not _ends_script(left)
         yield finding(
             mode.where,
             f"KillMode={mode.value}: {stops}; {what} running{again}",
-            advice="set KillMode=mixed",
+            advice="set KillMode=mixed" if waits else OF_SHORT_SCRIPT,
             related=[note(left.words[0], "this survives the stop")] if left is not None else [],
-            fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable else None,
+            fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable and waits else None,
         )
+
+
+def _ends_script(left: Command) -> bool:
+    """Whether the script of a command ends with the start of something in the background: it does not run on until the
+    stop, at which another mode would end what it left."""
+    source = left.words[0].span.source
+    return source.kind == "shell-script" and shell_commands(source)[-1].background
 
 
 def _left(robot: Robot, unit: Unit) -> Iterator[Command]:
