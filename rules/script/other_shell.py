@@ -12,9 +12,10 @@
   `${NAME:0:3}` and `${NAME//a/b}`;
 - `sh -c "echo -e ..."` to a file or pipe, in any script.
 
-Lines under a condition are not reported, but for the last, nor scripts that something of the tree reads with
-`source`, or starts with the name of another shell, that start themselves again in bash, or that are for BusyBox
-(OpenWrt, Alpine).
+In a script that only sets up the shell of whoever sources it (`source`, `export`, `alias`), it is info: that shell
+may be the other one. Lines under a condition are not reported, but for the last, nor scripts that something of the
+tree reads with `source`, or starts with the name of another shell, that start themselves again in bash, or that are
+for BusyBox (OpenWrt, Alpine).
 
 ## Why it matters on a robot
 `/bin/sh` is dash on Ubuntu and Debian: it answers "source: not found" and goes on without the environment of ROS.
@@ -94,6 +95,7 @@ JOB = regex(r"(?:^|\bkill\b[^;&|\n]{0,80}\s)%\d")
 PSEUDO = ("ERR", "DEBUG", "RETURN")
 READS = regex(r"-[pr]*[ansdtNu]\w*")
 EXPANSION = regex(r"\$\{(?:![A-Za-z_]|\w+(?:\[[\w@*]|:[0-9]|:[ ]-|/|\^|,))")
+SETS_UP = frozenset(("source", ".", "export", "alias", "unset", "ulimit", "umask"))
 COMMANDS = ("source", ".", "[[", "[", "test", "trap", "kill", "set", "echo", "read", *HAS_NO)
 OF_EXPANSIONS = (
     "/bin/sh is dash on Ubuntu and Debian and cannot read this expansion: the script stops here, 'Bad substitution'",
@@ -155,9 +157,15 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=[note(word, "here too") for word, _, _ in others],
-                severity="warning" if message.endswith(GOES_ON) else None,
+                severity="info" if _only_sets_up(robot, source) else "warning" if message.endswith(GOES_ON) else None,
             )
     yield from _of_tasks(robot)
+
+
+def _only_sets_up(robot: Robot, source: Source) -> bool:
+    """Whether a script does nothing but set up the shell of whoever sources it, which may be another one."""
+    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+    return all(run.name in SETS_UP for run in runs)
 
 
 def _of_tasks(robot: Robot) -> Iterator[Finding]:
