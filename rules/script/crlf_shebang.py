@@ -1,7 +1,8 @@
 """The first line of a script ends in a carriage return.
 
 ## What it finds
-A shell script whose first line, `#!/bin/bash`, ends in CR LF.
+A shell script whose first line, `#!/bin/bash`, ends in CR LF. Info where the script is not executable, while others
+of the repository are, and nothing names it.
 
 ## Why it matters on a robot
 The kernel takes the carriage return as part of the interpreter's name and looks for `/bin/bash\\r`. A unit that
@@ -27,10 +28,12 @@ When every caller names the interpreter itself (`bash start.sh`) and the command
 - gitattributes(5), "eol"
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
@@ -59,4 +62,16 @@ def crlf_shebang(robot: Robot) -> Iterator[Finding]:
             if line[2:].strip()
             else "The first line names no interpreter",
             advice="save the file with LF line ends, and put '*.sh text eol=lf' in .gitattributes",
+            severity="info" if _is_idle(robot, source) else None,
         )
+
+
+def _is_idle(robot: Robot, source: Source) -> bool:
+    """Whether a script cannot be run by its path, as it is not executable where others are, and nothing else names
+    it."""
+    if not robot.tree.keeps_modes or robot.tree.is_executable(source.name):
+        return False
+    folder, name = posixpath.split(source.name)
+    path = f"{posixpath.basename(folder)}/{name}"
+    others = (each for each in robot.sources if each is not source and name in each.text)
+    return not any(path in each.text or posixpath.dirname(each.name) == folder for each in others)
