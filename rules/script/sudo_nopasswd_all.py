@@ -4,7 +4,7 @@
 In a sudoers file, or in what a script writes to one:
 
 - A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without. It is info where a comment on
-  the line or right above it says that sudo without a password is intended.
+  the line, right above it or at the head of the script says that sudo without a password is intended.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
   It is info where they only shut the computer down.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
@@ -93,6 +93,9 @@ MEANT = regex(
     hints="intentional deliberate purpose",
 )
 """One sentence says that the right is intended, and that it is about root."""
+HEAD = 20
+LONGEST_HEAD = 2_000
+"""The lines and characters at the top of a file in which comments speak of the whole."""
 DEEPEST = 3
 """Variables that are made of others."""
 MOST = 200
@@ -161,12 +164,15 @@ def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located])
 
 
 def _is_meant(what: Located) -> bool:
-    """Whether a comment on the line or right above it says that the right is given on purpose, in the file or in the
-    script that writes it."""
+    """Whether a comment on the line, right above it or at the head says that the right is given on purpose, in the
+    file or in the script that writes it."""
     source, span = what.span.source, what.span
     comments = source.comments_at(span.line)
     if source.origin is not None:
-        comments += source.origin.whole.source.comments_at(source.origin.whole.line)
+        written = source.origin.whole
+        source = written.source
+        comments += source.comments_at(written.line)
+    comments += [line for line in source.text[:LONGEST_HEAD].splitlines()[:HEAD] if line.startswith("#")]
     return MEANT.search(" ".join(comments)) is not None
 
 
