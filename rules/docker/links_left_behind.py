@@ -6,7 +6,8 @@
 - `rm -r` of the folder `src` or `build` of a workspace that a step of the image has built in this way, while `install`
   stays.
 
-Silent where the stage replaces the links by files.
+Silent where the stage replaces the links by files; info where a step makes the folder again, as a place at which
+sources are mounted, and the image names no program to start.
 
 ## Why it matters on a robot
 `--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in
@@ -39,6 +40,7 @@ When the workspace is mounted at the same path in each container.
 
 import posixpath
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -136,16 +138,27 @@ def _of_removal(stage: Stage) -> Iterator[Finding]:
     last = max((at for at, (command, _) in enumerate(steps) if command.name in AGAIN), default=0)
     removed = [(word, path) for command, folder in steps[last:] for word, path in _removed(command, folder)]
     gone = {path for _, path in removed}
-    for word, path in removed:
-        workspace, name = posixpath.split(path)
-        if name in ("src", "build") and workspace in built and posixpath.join(workspace, "install") not in gone:
-            yield finding(
-                word,
-                f"The links in install/ lead to {path}, which this step removes",
-                advice="build without --symlink-install, or keep the folder",
-                related=[note(link, "makes links instead of files")],
-            )
-            return
+    made = {_entered(folder, word) for command, folder in steps[last:] for word in _made(command)}
+    starts = stage.last("CMD") is not None or stage.last("ENTRYPOINT") is not None
+    broken = [(word, path) for word, path in removed if _is_linked_to(path, built, gone)]
+    for word, path in sorted(broken, key=lambda each: each[1] in made)[:1]:
+        yield finding(
+            word,
+            f"The links in install/ lead to {path}, which this step removes",
+            advice="build without --symlink-install, or keep the folder",
+            related=[note(link, "makes links instead of files")],
+            severity="info" if path in made and not starts else None,
+        )
+
+
+def _is_linked_to(path: str, built: set[str], gone: set[str]) -> bool:
+    """Whether links of a workspace that stays lead to a folder."""
+    workspace, name = posixpath.split(path)
+    return name in ("src", "build") and workspace in built and posixpath.join(workspace, "install") not in gone
+
+
+def _made(command: Command) -> Sequence[str]:
+    return command.words[1:] if command.name == "mkdir" else ()
 
 
 def _steps(stage: Stage) -> Iterator[tuple[Command, str]]:
