@@ -4,6 +4,7 @@
 A Cyclone DDS configuration whose only interface has the name of one adapter: `enx` and the twelve digits of its MAC
 address, as udev calls adapters on USB. Silent where netplan, NetworkManager, networkd or udev of the tree speak of the
 same adapter, where a condition of a script asks for it, and for a whole root file system, which is that of one robot.
+Info where a program of the tree writes the file, as one does that is given the interface on each machine.
 
 ## Why it matters on a robot
 Each adapter has another name. After the adapter is replaced, on the next robot, and in the container that runs on the
@@ -40,6 +41,10 @@ from bringup_lint.api.cyclonedds import Setting
 from bringup_lint.api.dds import named_interfaces
 
 ADAPTER = regex(r"enx[0-9a-f]{12}$")
+PROGRAM = regex(r"\.(?:py|sh|bash)$|(?:^|/)(?:Makefile|[Jj]ustfile)$")
+MOST = 100_000
+"""Characters of a program that are read."""
+WRITES = regex(r"\bopen\([^()\n]{1,120},[^()\n]{0,40}[\"']w|\.write_text\(|>[ \t]*[\"']?\S*\.xml|\bsed[ \t]+-i")
 NETWORK = ("netplan", "cloud-init-network", "networkd", "networkmanager", "udev-rules")
 
 
@@ -61,7 +66,13 @@ def interface_of_one_adapter(robot: Robot) -> Iterator[Finding]:
             advice="give address= and the fixed address of the robot, or name the adapter in a .link file",
             related=[note(each.value, "here, too") for each in others],
             chain=robot.provenance.chain_to(first.value, f"DDS uses {name}"),
+            severity="info" if _is_written_anew(robot, first.value.span.source.basename) else None,
         )
+
+
+def _is_written_anew(robot: Robot, name: str) -> bool:
+    """Whether a program of the tree names the file and writes files: what is checked in is what it once wrote."""
+    return any(name in text and WRITES.search(text) for text in robot.tree.pages(PROGRAM, MOST))
 
 
 def _is_spoken_of(robot: Robot, name: str) -> bool:
