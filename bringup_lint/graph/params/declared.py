@@ -28,6 +28,13 @@ _LOOSE = regex(
     r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters",
     hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters",
 )
+_UNKNOWN = regex(
+    rf"{_LOOSE.pattern}|_parameters\.hpp|\bdeclare_parameter(?:<[^<>\n]{{0,80}}>)?\(\s{{0,80}}(?!name\b)[^\s\"']"
+    r"|\bdeclare_parameters(?:<[^<>\n]{0,80}>)?\([^,()]{0,80},\s{0,80}(?:parameters\s{0,9}=\s{0,9})?[^\s\[{p]",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters _parameters.hpp "
+    "declare_parameter",
+)
+"""What takes every parameter, the generated ones, or those whose names the source puts together."""
 _DYNAMIC = "dynamic_typing"
 _PYTHON_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 _CPP_TYPES = {
@@ -100,6 +107,13 @@ def mentions(files: Files, package: Package, word: str) -> bool:
     paths = (path for path in files.tree.walked_below(package.folder) if path.endswith(SUFFIXES))
     sources = (files.tree.read(path, judged=False) for path in paths)
     return any(source is not None and word in source.text for source in sources)
+
+
+def may_declare(files: Files, workspace: Workspace, package: Package, name: str) -> bool:
+    """Whether a node of a package may declare a parameter: a source names it, takes every name or one that it makes
+    up, or nothing is known of its sources."""
+    texts = [source.text for source in _sources(files, workspace, package)]
+    return not texts or any(name in text or _UNKNOWN.search(text) for text in texts)
 
 
 def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:

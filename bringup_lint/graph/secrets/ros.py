@@ -81,8 +81,18 @@ def indirect(files: Files, launch: Callable[[], Launch], params: Callable[[], Pa
                 yield Indirect(str(parameter.key).rpartition(".")[2], parameter.span)
     for action in _actions(files, launch):
         for name, value in _parameters(action):
-            if _is_filled(value):
+            if _is_filled(value) and _may_take(files, launch(), action, name):
                 yield Indirect(name.rpartition(".")[2], value.span)
+
+
+def _may_take(files: Files, launch: Launch, action: Action, name: str) -> bool:
+    """Whether the package of a node may declare a parameter: another one is on no graph."""
+    from bringup_lint.graph.launch.started import literal_text
+    from bringup_lint.graph.params.declared import may_declare
+    from bringup_lint.model.launch import Node
+
+    package = launch.workspace.packages.get(literal_text(action.package) or "") if isinstance(action, Node) else None
+    return package is None or may_declare(files, launch.workspace, package, name)
 
 
 def _is_filled(value: Value) -> bool:
