@@ -93,6 +93,10 @@ def set_aside(folder: Path, files: dict[str, str]) -> list[str]:
         ),
         ({**UNITS, **INSTALLS, "a.sh": "echo units of the robot\n"}, ["units/weir.service"]),
         ({**UNITS, **INSTALLS, "units/install.sh": "cp ./*.service /etc/systemd/system\n"}, []),
+        (
+            {**UNITS, **INSTALLS, "a.sh": "for each in *.service.m4; do\n  m4 $each > units/$each\ndone\n"},
+            ["units/weir.service"],
+        ),
         ({**UNITS, "install.sh": "cp units/drive.service /etc/systemd/system/\n"}, []),
         ({**UNITS, **INSTALLS, "units/notes.j2": UNIT % "a"}, ["units/weir.service"]),
         ({Path(name).name: text for name, text in {**UNITS, **INSTALLS}.items()}, ["weir.service"]),

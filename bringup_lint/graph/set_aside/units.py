@@ -25,7 +25,7 @@ _BRINGS = regex(
 _WHOLE = regex(
     r"\b(?:cp|ln|mv|install|rsync|scp|copy|COPY|ADD|src|DIRECTORY|glob|iglob|listdir|iterdir|for|find|tar)\b"
 )
-_EVERY_UNIT = regex(r"\*\.(?:service|timer|socket|path|target|\{|\$)")
+_EVERY_UNIT = regex(r"\*\.(?:(?:service|timer|socket|path|target)(?P<ending>\.[a-z]\w{0,20})?|\{|\$)")
 _STARTS = regex(r"\bsystemctl\b|\bdh_installsystemd\b[^\n]*--name\b", hints="systemctl dh_installsystemd")
 _MATCHED = regex(r"(?<![\w-])([\w-]{1,80})@?\.[*{]")
 """The stem of a name whose ending is a pattern."""
@@ -136,11 +136,16 @@ class IdleUnits:
         place = re.compile(
             rf"(?<![\w.-]){re.escape(folder)}(?:/?[\"']?(?:[\s,)\]}}:]|$)|/[\"']?(?:\*|\$|\{{|\.(?![\w.])))"
         )
-        found = [each.path for each in self._texts.by_folder.get(here, ()) if _EVERY_UNIT.search(each.text)]
+        found = [each.path for each in self._texts.by_folder.get(here, ()) if self._takes_every(each.text, here)]
         for each in self._texts.by_word.get(folder, ()):
             lines = (line for line in each.text.splitlines() if folder in line and place.search(line))
-            if _EVERY_UNIT.search(each.text) or any(
+            if self._takes_every(each.text, here) or any(
                 _WHOLE.search(line) and names.isdisjoint(map(final_name, WORD.findall(line))) for line in lines
             ):
                 found.append(each.path)
         return found
+
+    def _takes_every(self, text: str, here: str) -> bool:
+        """Whether a pattern for all units of a folder is in a text: one with an ending is for templates alone."""
+        endings = tuple({match["ending"] or "" for match in _EVERY_UNIT.finditer(text)})
+        return any(each.basename.endswith(endings) for each in self._units[here])
