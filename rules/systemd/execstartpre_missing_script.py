@@ -43,6 +43,7 @@ on the robot before the service starts.
 - systemd.exec(5), "Process Exit Codes": 203 EXIT_EXEC; execve(2), ENOEXEC
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -51,6 +52,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import shell
+from bringup_lint.api.spelling import nearest
 from bringup_lint.api.systemd import Defect
 from bringup_lint.api.systemd import is_own_program
 from bringup_lint.api.systemd import unstartable
@@ -111,7 +113,14 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
                     program,
                     f"The tree has {sibling} but not {program}: {process.key}= of {unit.name} fails "
                     "with 203/EXEC unless something else installs it",
-                    advice=f"ship it with mode 0755, or name {sibling}",
+                    advice="ship it with mode 0755"
+                    + (f", or name {sibling}" if _may_be_meant(sibling, program) else ""),
                     severity="warning",
                     confidence="medium",
                 )
+
+
+def _may_be_meant(sibling: str, program: str) -> bool:
+    """Whether a file has the name of a program that is missing, or nearly that."""
+    name, other = posixpath.basename(program), posixpath.basename(sibling)
+    return name == other or bool(nearest(name, [other]))
