@@ -8,7 +8,8 @@ severity depends on the place:
   it includes, YAML of a driver in a folder such as `config/`, scripts, variables of Ansible's hosts and groups; the
   default of a launch argument where a unit launches the file without giving the argument a value.
 - Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
-  the only camera of the robot in a launch file, a script or code, and its first one in a parameter or compose file.
+  the only camera of the robot in a launch file, a script or code, and its first one in a parameter or compose file;
+  cameras in a tree that speaks of GMSL, which are numbered by the device tree.
 
 In the source of a node it counts where it is opened, also under the name of a constant, and in a module that a node
 imports.
@@ -42,6 +43,7 @@ When the robot has exactly one device of this kind and no free port where a seco
 - https://github.com/RoverRobotics-archive/roverrobotics_ros2/issues/16
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -49,10 +51,17 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.host import DeviceUse
 from bringup_lint.api.udev import Link
 
+WORD = regex(r"[a-z]{3,}")
+OF_EVERY_DEVICE = frozenset(
+    ("dev", "tty", "ttyusb", "ttyacm", "usb", "acm", "port", "serial", "device", "robot", "input", "event")
+)
+GMSL = regex(r"gmsl", re.I, "gmsl")
+"""Links of cameras to the board itself: the device tree gives them their numbers."""
 _SEVERITY = {"argument": "info"}
 FIRST = ("/dev/ttyUSB0", "/dev/ttyACM0")
 _RANK = ("literal", "unit", "host", "default", "script", "argument")
@@ -88,17 +97,18 @@ def unstable_path(robot: Robot) -> Iterator[Finding]:
 
 
 def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[DeviceUse]) -> Finding:
-    names = " or ".join(link.path for link in links[:3])
     severity = _SEVERITY.get(use.certainty)
     beside = robot.devices.beside(use)
     if use.certainty == "argument" and (beside is not None or _is_launched_at_boot(robot, use)):
         severity = "warning"
     if robot.devices.is_single_camera(use) or robot.devices.is_default(use):
         severity = "info"
+    if use.path.startswith("/dev/video") and robot.mentions(GMSL):
+        severity = "info"
     return finding(
         use.path,
         f"{use.path} is numbered in the order of discovery: {_then(use.path, beside)}",
-        advice=f"use {names}" if links else f"create a link with a udev rule, or {_instead(use.path)}",
+        advice=_advice(use, links),
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
             *(note(each, "opened here") for each in [use.opened_elsewhere] if each is not None),
@@ -115,6 +125,22 @@ def _then(path: str, beside: Located | None) -> str:
     if beside is None and path in FIRST:
         return "a second adapter, or a plug that comes loose while the port is open, changes the number"
     return "after a reboot it may be another device"
+
+
+def _advice(use: DeviceUse, links: list[Link]) -> str:
+    """The link of the device: one that shares a word with the file or the line that uses it, or that may be it."""
+    said = _words(f"{use.path.span.source.name} {use.path.span.source.line_text(use.path.span.line)}")
+    named = [link for link in links if not said.isdisjoint(_words(link.path))]
+    names = " or ".join(link.path for link in (named or links)[:3])
+    if named:
+        return f"use {names}"
+    if links:
+        return f"use {names} if that is the device, or create a link with a udev rule"
+    return f"create a link with a udev rule, or {_instead(use.path)}"
+
+
+def _words(text: str) -> set[str]:
+    return set(WORD.findall(text.lower())) - OF_EVERY_DEVICE
 
 
 def _instead(path: str) -> str:
