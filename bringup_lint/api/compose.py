@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.compose_names import MissingFile
     from bringup_lint.graph.containers.questions.compose_names import defined_names
     from bringup_lint.graph.containers.questions.compose_names import missing_files
+    from bringup_lint.graph.containers.questions.compose_names import nearly_named
     from bringup_lint.graph.containers.questions.compose_names import undefined_names
     from bringup_lint.graph.containers.questions.container_names import shared_names
     from bringup_lint.graph.containers.questions.device_groups import closed_devices
@@ -43,6 +44,7 @@ __all__ = [
     "homes_of",
     "is_workplace",
     "missing_files",
+    "nearly_named",
     "reach",
     "refused_addresses",
     "shared_names",

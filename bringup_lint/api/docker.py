@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.folder_owners import builds_of_others
     from bringup_lint.graph.containers.questions.git_history import without_history
     from bringup_lint.graph.containers.questions.image_use import is_deployed
+    from bringup_lint.graph.containers.questions.image_use import is_entered_by_hand
     from bringup_lint.graph.containers.questions.image_use import is_used
-    from bringup_lint.graph.containers.questions.mounted_files import mounting_service
+    from bringup_lint.graph.containers.questions.mounted_files import services_with
     from bringup_lint.graph.containers.questions.shell_texts import Reads
     from bringup_lint.graph.containers.questions.shell_texts import checks_of
     from bringup_lint.graph.containers.questions.shell_texts import shell_texts
@@ -103,6 +104,7 @@ __all__ = [
     "image_user",
     "is_deployed",
     "is_deployed_to",
+    "is_entered_by_hand",
     "is_in_container",
     "is_used",
     "lacking_sources",
@@ -112,13 +114,13 @@ __all__ = [
     "missing_programs",
     "missing_settings",
     "missing_users",
-    "mounting_service",
     "oldest_codename",
     "other_distros",
     "own_homes",
     "recordings",
     "ros_distro",
     "runs_as_root",
+    "services_with",
     "shell_texts",
     "stays_in_shell",
     "substituted",

@@ -9,7 +9,8 @@ to another file. Files that git ignores, files of which the tree has a copy or a
 names, keystores, and paths that exist below a folder above are not reported; mounts of the latter are, where nothing
 of the tree sets the folder of a project. A mount is a warning, one that the container starts an error (a file of
 nearly the same name beside the compose file is then meant rather than a copy elsewhere), a folder of which nothing
-names a file is info, and so is the build of an image that may be pulled instead.
+names a file is info, and so are the build of an image that may be pulled instead and a file that a page of the tree
+tells people to make.
 
 ## Why it matters on a robot
 docker compose ends with "path not found" or "env file not found" and starts none of the services. For a mount docker
@@ -37,15 +38,29 @@ When a step before the start puts the file there.
 - https://docs.docker.com/engine/storage/bind-mounts/
 """
 
+import posixpath
 import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import MissingFile
 from bringup_lint.api.compose import missing_files
+from bringup_lint.api.compose import nearly_named
+
+PAGE = regex(r"\.(?:md|rst|txt|adoc)$", re.I)
+MOST = 200_000
+"""Characters of a page that are read."""
+MADE = ("env_file", "mount", "mounted program")
+MAKE = regex(
+    r"\b(?:create|prepare|generate|write|make|download|touch)\b(?P<what>[^\n]{1,80})",
+    re.I,
+    "create prepare generate write make download touch",
+)
+WORD = regex(r"[\w.][\w.-]*\w")
 
 
 @rule(
@@ -61,7 +76,9 @@ from bringup_lint.api.compose import missing_files
     ],
 )
 def file_missing(robot: Robot) -> Iterator[Finding]:
-    for missing in missing_files(robot.files, robot.compose):
+    found = list(missing_files(robot.files, robot.compose))
+    to_make = _names_to_make(robot) if found else set()
+    for missing in found:
         effect = "docker compose ends" if missing.fatal else "the image cannot be built here"
         if missing.what.startswith("mount"):
             effect = "docker mounts an empty folder in its place"
@@ -74,17 +91,30 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             missing.path,
             f"The {what} '{missing.path}' of service '{missing.service.name}' {lacks}: {effect}",
-            advice=_advice(missing),
-            severity=_severity(robot, missing),
+            advice=_advice(robot, missing),
+            severity="info" if missing.what in MADE and _name(missing) in to_make else _severity(robot, missing),
         )
 
 
-def _advice(missing: MissingFile) -> str:
+def _name(missing: MissingFile) -> str:
+    return posixpath.basename(missing.path)
+
+
+def _names_to_make(robot: Robot) -> set[str]:
+    """The names of files that pages tell whoever installs the robot to make."""
+    told = (match["what"] for text in robot.tree.pages(PAGE, MOST) for match in MAKE.finditer(text))
+    return {word for what in told for word in WORD.findall(what)}
+
+
+def _advice(robot: Robot, missing: MissingFile) -> str:
     if missing.what == "default Dockerfile":
         return "name the file with dockerfile:, relative to the context"
     if missing.path.startswith("/tmp/"):
         return "let a script or a unit make it before the start"
-    return "write the path relative to the folder of the compose file"
+    near = nearly_named(robot.files, missing)
+    if near:
+        return f"write {' or '.join(near)}"
+    return "put it there, or write the path of what is meant, relative to the folder of the compose file"
 
 
 def _severity(robot: Robot, missing: MissingFile) -> str | None:

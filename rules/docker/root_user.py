@@ -11,7 +11,8 @@ Images of a tree that run as root for the same purpose are one finding.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
 somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; an image whose command
-is a shell, and whose services in compose files say nothing but how it is built; a builder, a simulator or a
+is a shell, and whose services in compose files say nothing but how it is built; one whose services only keep a shell
+open (`command: bash`, `tty: true`); a builder, a simulator or a
 demonstration; a Dockerfile that nothing builds while another one in its place is built; and an image that copies
 nothing, builds nothing and has nothing of ROS: it runs a program of the distribution.
 
@@ -60,6 +61,7 @@ from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import holds_ros
 from bringup_lint.api.docker import image_user
 from bringup_lint.api.docker import is_deployed
+from bringup_lint.api.docker import is_entered_by_hand
 from bringup_lint.api.docker import last_user
 from bringup_lint.api.shell import program_name
 
@@ -140,7 +142,8 @@ def _found(robot: Robot) -> Iterator[AsRoot]:
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
             services = [service for service in users if service.user is None]
             of_robot = is_deployed(robot.compose, file) and (holds_ros(stage) or any(map(reach, services)))
-            lowered = not of_robot or _serves_logins(stage) or _runs_packaged(stage)
+            by_hand = bool(services) and all(map(is_entered_by_hand, services))
+            lowered = not of_robot or _serves_logins(stage) or _runs_packaged(stage) or by_hand
             yield AsRoot(stage, services, lowered)
 
 

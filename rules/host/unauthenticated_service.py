@@ -9,14 +9,14 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it, twice. With an option by
   which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
-  `cmd_vel` outside of a simulation; information in others. A mosquitto broker with `allow_anonymous true`, a ser2net
-  `accepter: tcp,PORT` without an address, and the `[inet_http_server]` of supervisord on all addresses without a user.
-  A compose service with the image of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`,
-  `elasticsearch:7`; `postgres`, `mysql` and later ones of `elasticsearch` where a variable takes the password away),
-  of Node-RED, mosquitto 1 or EMQX that is on the host network or publishes its port, and sets no password. A server
-  (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on all addresses in a node that
-  publishes velocities, goals or other commands, and has no login. The address may be the default of a parameter, an
-  option or a variable that nothing in the tree sets.
+  `cmd_vel` outside of a simulation and of lists of what is recorded; information in others. A mosquitto broker with
+  `allow_anonymous true`, a ser2net `accepter: tcp,PORT` without an address, and the `[inet_http_server]` of
+  supervisord on all addresses without a user. A compose service with the image of a database (`mongo`, `redis`,
+  `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`, `mysql` and later ones of `elasticsearch` where
+  a variable takes the password away), of Node-RED, mosquitto 1 or EMQX that is on the host network or publishes its
+  port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and
+  others) on all addresses in a node that publishes velocities, goals or other commands, and has no login. The address
+  may be the default of a parameter, an option or a variable that nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
@@ -45,6 +45,7 @@ If only trusted machines are on the network of the robot, or a firewall or a pro
 - https://hub.docker.com/_/redis, "Security"; https://hub.docker.com/_/mongo, "Authentication"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -57,7 +58,9 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 WARNED = ("broker", "web", "serial", "database", "flows", "programs")
-DRIVES = regex(r"cmd_vel")
+DRIVES = regex(r"cmd_vel(?!oc)")
+RECORDS = regex(r"(?:^|[/_-])(?:ros)?bags?(?=[/_.-])|record", re.I)
+"""Files that name topics only to keep what is published there."""
 TEXTS = {
     "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
     "desktop": ("gives the desktop to everybody who reaches its port", "set a password, or add -localhost"),
@@ -92,9 +95,16 @@ TEXTS = {
     "broker": ("takes messages from everybody who reaches its port", "use password_file, or bind it to 127.0.0.1"),
 }
 
+HERE = "publish the port of its container on 127.0.0.1 alone"
 IN_CONTAINERS = {
+    "shell": f"set a password, or {HERE}",
+    "desktop": f"set a password, or {HERE}",
+    "bridge": f"limit what clients may publish, or {HERE}",
+    "debugger": f"remove debug=True, and {HERE}",
+    "web": f"ask for a password, or {HERE}, with a proxy that does",
     "serial": "publish the port of its container on 127.0.0.1, or on the one address of the robot that needs it",
-    "broker": "use password_file, or publish the port of its container on 127.0.0.1 alone",
+    "programs": f"set username and password, or {HERE}",
+    "broker": f"use password_file, or {HERE}",
 }
 """What helps where Docker hands the port on: there, 127.0.0.1 is the container, and nothing reaches it."""
 
@@ -118,7 +128,7 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
         motion = kind == "bridge" and _is_driven(robot)
         yield finding(
             first,
-            f"{name} asks for no password and {does}" + (", /cmd_vel included" if motion else ""),
+            f"{name} asks for no password and {does}" + (", velocities (cmd_vel) included" if motion else ""),
             advice=advice,
             related=[
                 *(note(defaults[each], "the default of its address") for each in (first, *others) if each in defaults),
@@ -130,16 +140,16 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_in_network_of_docker(robot: Robot, where: Span) -> bool:
-    """Whether the settings of a service are for a container that is not on the host network."""
-    service = docker.mounting_service(robot.compose, where.source) if robot.of_kind("compose") else None
-    return service is not None and not service.is_on_host_network
+    """Whether a service is in containers that are not on the host network."""
+    services = docker.services_with(robot.compose, where) if robot.of_kind("compose") else []
+    return bool(services) and not any(service.is_on_host_network for service in services)
 
 
 def _is_driven(robot: Robot) -> bool:
     """Whether a file names the topic that drives the robot, and not one that a simulator drives."""
     if not robot.mentions(DRIVES):
         return False
-    said = (each for each in robot.sources if each.judged and each.says(DRIVES))
+    said = (each for each in robot.sources if each.judged and each.says(DRIVES) and not RECORDS.search(each.name))
     return any(robot.files.purpose(each).value != "simulation" for each in said)
 
 

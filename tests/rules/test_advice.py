@@ -15,8 +15,8 @@ from tests.rules.test_fixtures import command
 from tests.rules.test_fixtures import folder_of
 
 
-def findings(rule_id: str) -> list[dict[str, Any]]:
-    case = folder_of(rule_id) / "bad"
+def findings(rule_id: str, name: str = "bad") -> list[dict[str, Any]]:
+    case = folder_of(rule_id) / name
     options = ("--isolated",) if not command(rule_id) else command(rule_id)
     run = lint(*options, "--select", rule_id, "--output-format", "json", *arguments(case), cwd=case)
     return json.loads(run.stdout)["findings"]
@@ -32,10 +32,23 @@ def test_commands_on_the_host_need_no_list_of_devices() -> None:
     assert found["tool"] == "let a systemd unit of the host run them instead"
 
 
+def test_a_link_of_another_kind_of_device_is_advised_with_a_condition() -> None:
+    found = {each["location"]["path"]: each["advice"] for each in findings("device/unstable-path", "bad_link")}
+    assert found["config/lidar.yaml"] == "use /dev/kestrel/lidar"
+    assert found["config/claw.yaml"].startswith("use /dev/kestrel/lidar or /dev/kestrel/winch if that is the device")
+
+
+def test_a_container_does_not_listen_on_its_own_loopback_address() -> None:
+    found = [each["advice"] for each in findings("host/unauthenticated-service", "bad_container")]
+    assert len(found) == 4
+    assert all("publish the port of its container" in advice for advice in found)
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [
         ("netplan/bad-top-level", ["rename it to network"]),
+        ("script/world-writable", ["give the folder to a group that needs it, with mode 2775 or 750"]),
         ("sros2/policy-grants-nothing", ["write /lawn", 'write publish="ALLOW"']),
         ("systemd/install-bad-target", ["did you mean multi-user.target?", "did you mean multi-user.target?"]),
         ("systemd/shell-wrapper-no-exec", ["start the command with exec", "start the command with exec"]),

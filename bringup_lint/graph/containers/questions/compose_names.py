@@ -171,6 +171,14 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
     return not is_copied and not _is_made(files, path)
 
 
+def nearly_named(files: Files, missing: MissingFile) -> list[str]:
+    """The paths that may be meant in place of one that is missing: of files beside it with nearly its name."""
+    if missing.what not in ("env_file", "mount", "mounted program"):
+        return []
+    folder = os.path.dirname(missing.path)
+    return [f"{folder}/{name}" if folder else name for name in _near(files, _beside(missing.service, missing.path))]
+
+
 def _near(files: Files, path: str) -> list[str]:
     """The files beside a path that it may have been called after: nearly its name, and the same ending."""
     folder, name = os.path.split(path)

@@ -68,6 +68,13 @@ def is_workplace(compose: Compose, service: Service) -> bool:
     return on_display and not service.command and not service.entrypoint
 
 
+def is_entered_by_hand(service: Service) -> bool:
+    """Whether all that a service starts is a shell in a terminal, which a restart brings back."""
+    is_open = service.flag("tty") or service.flag("stdin_open")
+    words = [word for words in service.command for word in _split(str(words))]
+    return bool(is_open) and not service.entrypoint and bool(words) and _is_shell(words)
+
+
 def _starts_shell(stage: Stage) -> bool:
     """Whether the command of the image, given by itself or by the official image below, is a shell."""
     entrypoint, command = _words(stage.last("ENTRYPOINT")), _words(stage.last("CMD"))
