@@ -1,5 +1,6 @@
 """One finding for what a rule says twice of one file, and for a line that a tree holds twice: in a template and in what
-was made of it, in a file and its copy, or in two udev rules files of one name, of which only one is read on a robot."""
+was made of it, in a file and its copy under another name, or in two udev rules files of one name, of which only one is
+read on a robot."""
 
 from __future__ import annotations
 
@@ -100,14 +101,13 @@ def _alike(source: Source, *, named: bool) -> Iterator[Hashable]:
 
 
 def _is_copy(found: Finding, kept: Finding) -> bool:
-    """Whether one file is a copy of the other. Copies of one name are of several robots or packages: what is said of
-    them is the same only where its words are."""
+    """Whether one file is a copy of the other. Files of one name are of several robots or packages, each of which may
+    come and go by itself; of udev rules, one is read."""
     copy, first = found.source, kept.source
     if copy is first:
         return False
     if copy.basename == first.basename:
-        said_alike = found.message == kept.message and found.severity == kept.severity
-        return copy.kind == first.kind and (copy.kind == "udev-rules" or (said_alike and copy.text == first.text))
+        return copy.kind == first.kind == "udev-rules"
     if final_name(copy.basename) == final_name(first.basename):
         return bool(first.template) and not copy.template
-    return copy.kind == first.kind and copy.text == first.text
+    return copy.kind == first.kind and found.advice == kept.advice and copy.text == first.text

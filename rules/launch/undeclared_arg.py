@@ -98,7 +98,7 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
     what = f"launch configuration '{name}' is not declared"
     if left_out:
-        what = f"the declaration of '{name}' is not in the launch description"
+        what = f"The declaration of '{name}' is not in the launch description"
     return finding(
         uses[first].argument.name,
         f"{what}: launch aborts unless {name}:= is passed",
