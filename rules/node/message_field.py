@@ -7,7 +7,7 @@ Python nodes that read or set a field which the message does not have, and value
 fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1; and a message that is used as if
 it were the list in one of its fields: `path[0]`, `len(scan)`, `for each in array`. The fields are those of the
 `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an info in packages that
-others wrote and the tree only carries, and in a function that nothing calls.
+others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
@@ -71,19 +71,14 @@ def message_field(robot: Robot) -> Iterator[Finding]:
         severity = robot.nodes.lowered_if_vendored(types.file.source, "error")
         usual = "error" if nodes.is_checked(robot.target.ros) else "warning"
         of_values = robot.nodes.lowered_if_vendored(types.file.source, usual)
-        for lacking, *rest in nodes.missing_fields(types):
+        for uses in nodes.missing_fields(types):
+            lacking, *rest = sorted(uses, key=lambda use: not robot.leads_to(types.file.span_of(use.place)))
             yield finding(
                 types.file.span_of(lacking.place),
                 f"{lacking.type} has no field '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
                 advice=f"its fields are {', '.join(sorted(lacking.fields))}" if lacking.fields else "it has no fields",
-                related=[
-                    note(
-                        types.file.span_of(each.place),
-                        "the same" if each.name == lacking.name else f"nor '{each.name}'",
-                    )
-                    for each in rest
-                ],
-                severity="info" if _is_idle(robot, lacking.idle_function) else of_values if lacking.given else severity,
+                related=[note(types.file.span_of(each.place), "the same") for each in rest],
+                severity=of_values if lacking.given else severity,
             )
         for first, *others in nodes.wrong_fields(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]
@@ -96,10 +91,11 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"write {better}" if better else f"give it {first.kind}",
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits, safe=False) if better else None,
-                severity="info" if _is_idle(robot, first.idle_function) else of_values,
+                severity=of_values,
             )
         for given in nodes.given_in_order(types):
             places = [types.file.span_of(call.args[0]) for call in given.calls]
+            places.sort(key=lambda place: not robot.leads_to(place))
             yield finding(
                 places[0],
                 f"{given.type} takes its fields by their names only: TypeError, and {given.end}",
@@ -113,7 +109,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 f"This publisher takes a {wrong.wanted}, and gets {wrong.got}: TypeError, and {wrong.end}",
                 advice=f"make a {wrong.wanted.rpartition('/')[2]} of it, and publish that",
                 related=[note(types.file.span_of(wrong.made), "the publisher is made with this type")],
-                severity="info" if _is_idle(robot, wrong.idle_function) else severity,
+                severity=severity,
             )
         for used in nodes.used_as_lists(types):
             name = used.type.rpartition("/")[2]
@@ -123,11 +119,6 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"take its field {' or '.join(used.lists)}" if used.lists else "take one of its fields",
                 severity="info" if used.idle else severity,
             )
-
-
-def _is_idle(robot: Robot, function: str) -> bool:
-    """Whether nothing of the tree calls a function that nothing of its file calls."""
-    return bool(function) and robot.nodes.is_named_once(function)
 
 
 def _consequence(lacking: nodes.NoField, distribution: str | None) -> str:

@@ -294,10 +294,6 @@ class Nodes:
         """Whether a function that nothing of its file calls is called by no other file either, as far as is looked."""
         return not self.is_plain(file) or function is None or not self._unused.is_in_others(function)
 
-    def is_named_once(self, function: str) -> bool:
-        """Whether no other Python file has the name of a function."""
-        return not self._unused.is_in_others(function)
-
     @property
     def node_classes(self) -> Iterator[tuple[NodeSource, NodeClass]]:
         """The classes of nodes in the judged sources but tests, each with its file."""

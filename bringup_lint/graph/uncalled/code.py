@@ -11,6 +11,7 @@ from functools import cached_property
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.uncalled.module import BY_NAME
+from bringup_lint.graph.uncalled.module import PLAIN_BASES
 from bringup_lint.graph.uncalled.module import USES
 from bringup_lint.graph.uncalled.module import Module
 from bringup_lint.graph.uncalled.words import Words
@@ -57,8 +58,6 @@ _SETS = regex(
 )
 """What may set any attribute so."""
 _INSTALLED = regex(r"/(?:site|dist)-packages/")
-_PLAIN_BASES = frozenset({"object", "Node", "LifecycleNode", "ABC", "Generic", "Exception", "RuntimeError"})
-"""Bases that call no method of a class but those with names of their own."""
 _OF_CLASSES = frozenset({"dataclass", "final", "total_ordering"})
 """Decorators that hand a class to nobody."""
 
@@ -207,7 +206,7 @@ class Code:
         todo = [last_name(base) for base in cls.bases]
         while todo:
             name = todo.pop()
-            if name in found or name in _PLAIN_BASES:
+            if name in found or name in PLAIN_BASES:
                 continue
             modules = self.modules_with(name) or ()
             found[name] = [(module, each) for module in modules for each in module.classes.get(name, ())]
@@ -217,7 +216,7 @@ class Code:
     @memo
     def _is_known(self, asked: tuple[str, int]) -> bool:
         name, depth = asked
-        if name in _PLAIN_BASES:
+        if name in PLAIN_BASES:
             return True
         modules = self.modules_with(name) if name and depth else None
         found = [(module, each) for module in modules or () for each in module.classes.get(name, ())]

@@ -23,6 +23,8 @@ _DEEP = 100
 _WORD = regex(r"\w+")
 BY_NAME = r"""\b[gs]etattr\({}[^,]{{1,80}},(?!\s*r?(?:'\w+'|"\w+")\s*[,)])"""
 """A function or attribute that is got or set by a name that is computed; ``{}`` is what is before the object."""
+PLAIN_BASES = frozenset({"object", "Node", "LifecycleNode", "ABC", "Generic", "Exception", "RuntimeError"})
+"""Bases that call no method of a class but those with names of their own."""
 _REFLECTS = regex(
     r"\b(?:globals|locals|vars|dir|getmembers|methodcaller|attrgetter)\(|__dict__|" + BY_NAME.format(""),
     hints="globals locals vars dir getmembers methodcaller attrgetter __dict__ getattr setattr",

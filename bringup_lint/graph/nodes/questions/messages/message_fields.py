@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.sources.idle import idle_function
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
 from bringup_lint.graph.nodes.sources.what_ends import end_of
@@ -53,8 +52,6 @@ class NoField(NamedTuple):
     """It is an argument of the constructor."""
     end: str
     """What the exception ends, in words."""
-    idle_function: str
-    """The function around it, where nothing of the file calls it; else empty."""
 
 
 class WrongField(NamedTuple):
@@ -67,8 +64,6 @@ class WrongField(NamedTuple):
     got: str
     """The type of the value in words: ``an int``; or that it is out of range."""
     end: str
-    idle_function: str
-    """As that of a missing field."""
 
     @property
     def kind(self) -> str:
@@ -87,17 +82,11 @@ class Unnamed(NamedTuple):
 
 
 def missing_fields(types: MessageTypes) -> Iterator[list[NoField]]:
-    """The uses of fields that do not exist, those of one field of one type together, and those of one type that a
-    function uses after the first."""
-    groups: dict[tuple[str, str, bool], list[NoField]] = {}
-    firsts: dict[tuple[ast.AST | None, str, bool], list[NoField]] = {}
+    """The uses of fields that do not exist, those of one field of one type that end the same together."""
+    groups: dict[tuple[str, str, bool, str], list[NoField]] = {}
     for each in sorted(_missing(types), key=lambda found: types.file.span_of(found.place).start):
-        known = groups.get((each.type, each.name, each.given))
-        if known is None:
-            known = firsts.setdefault((types.syntax.function(each.place), each.type, each.given), [])
-            groups[each.type, each.name, each.given] = known
-        known.append(each)
-    yield from firsts.values()
+        groups.setdefault((each.type, each.name, each.given, each.end), []).append(each)
+    yield from groups.values()
 
 
 def _missing(types: MessageTypes) -> Iterator[NoField]:
@@ -115,8 +104,7 @@ def _lacking(
     fields = types.interfaces.fields(owner) if owner is not None else None
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
-    given, idle = isinstance(place, ast.keyword), idle_function(types.syntax, place)
-    yield NoField(place, name, owner, tuple(fields), given, _end(types, place), idle)
+    yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place))
 
 
 def given_in_order(types: MessageTypes) -> Iterator[Unnamed]:
@@ -134,12 +122,13 @@ def given_in_order(types: MessageTypes) -> Iterator[Unnamed]:
 
 
 def wrong_fields(types: MessageTypes, distribution: str | None) -> Iterator[list[WrongField]]:
-    """The values that do not fit, those of one function, field type and value type together."""
-    groups: dict[tuple[ast.AST | None, str, str], list[WrongField]] = {}
+    """The values that do not fit, those of one function, field type and value type that end the same together."""
+    groups: dict[tuple[ast.AST | None, str, str, str], list[WrongField]] = {}
     for each in _wrong_fields(types):
         is_zero = each.wanted.startswith(("float", "bool")) and _literal(types, each.value) == 0
         if distribution in (None, *_CHECKING) or not is_zero:
-            groups.setdefault((types.syntax.function(each.value), each.wanted, each.got), []).append(each)
+            function = types.syntax.function(each.value)
+            groups.setdefault((function, each.wanted, each.got, each.end), []).append(each)
     yield from groups.values()
 
 
@@ -196,8 +185,7 @@ def _of_wrong_type(types: MessageTypes, owner: str | None, name: str, value: ast
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            idle = idle_function(types.syntax, value)
-            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value), idle)
+            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value))
             return
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.graph.nodes.sources.idle import idle_function
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
 from bringup_lint.graph.nodes.sources.message_types import message_type
 from bringup_lint.graph.nodes.sources.what_ends import end_of
@@ -31,8 +30,6 @@ class WrongPublish(NamedTuple):
     """In words: ``a bool``; or the type of the other message."""
     end: str
     """What the exception ends, in words."""
-    idle_function: str
-    """The function around it, where nothing of the file calls it; else empty."""
 
 
 def wrong_publishes(types: MessageTypes) -> Iterator[WrongPublish]:
@@ -46,7 +43,7 @@ def wrong_publishes(types: MessageTypes) -> Iterator[WrongPublish]:
         if made is None or wanted is None or got in (None, wanted) or types.syntax.is_dead(value):
             continue
         end = end_of(types.syntax, value, caught=types.syntax.catches(value, _CAUGHT))
-        yield WrongPublish(value, made, wanted, str(got), end, idle_function(types.syntax, value))
+        yield WrongPublish(value, made, wanted, str(got), end)
 
 
 def _made_with(types: MessageTypes, publisher: ast.expr) -> ast.expr | None:
