@@ -9,14 +9,14 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it, twice. With an option by
   which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
-  `cmd_vel` outside of a simulation and of lists of what is recorded; information in others. A mosquitto broker with
-  `allow_anonymous true`, a ser2net `accepter: tcp,PORT` without an address, and the `[inet_http_server]` of
-  supervisord on all addresses without a user. A compose service with the image of a database (`mongo`, `redis`,
-  `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`, `mysql` and later ones of `elasticsearch` where
-  a variable takes the password away), of Node-RED, mosquitto 1 or EMQX that is on the host network or publishes its
-  port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and
-  others) on all addresses in a node that publishes velocities, goals or other commands, and has no login. The address
-  may be the default of a parameter, an option or a variable that nothing in the tree sets.
+  `cmd_vel` outside of a simulation and of lists of what is recorded, or has a node with a `Twist` of such a name;
+  information in others. A mosquitto broker with `allow_anonymous true`, a ser2net `accepter: tcp,PORT` without an
+  address, and the `[inet_http_server]` of supervisord on all addresses without a user. A compose service with the image
+  of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`, `mysql` and later
+  ones of `elasticsearch` where a variable takes the password away), of Node-RED, mosquitto 1 or EMQX that is on the
+  host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI,
+  `http.server`, a socket and others) on all addresses in a node that publishes velocities, goals or other commands, and
+  has no login. The address may be the default of a parameter, an option or a variable that nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
@@ -50,16 +50,20 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 WARNED = ("broker", "web", "serial", "database", "flows", "programs")
-DRIVES = regex(r"cmd_vel(?!oc)")
-RECORDS = regex(r"(?:^|[/_-])(?:ros)?bags?(?=[/_.-])|record", re.I)
+DRIVES = regex(r"cmd_vel")
+COMMANDS = regex(r"cmd_vel(?!oc)")
+TWIST = regex(r"\bTwist(?:Stamped)?\b")
+RECORDS = regex(r"record|rosbag|(?:^|/)bags?/|(?:^|[/_-])bags?[_.-][^/]*$", re.I)
 """Files that name topics only to keep what is published there."""
 TEXTS = {
     "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
@@ -128,7 +132,7 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
         motion = kind == "bridge" and _is_driven(robot)
         yield finding(
             first,
-            f"{name} asks for no password and {does}" + (", velocities (cmd_vel) included" if motion else ""),
+            f"{name} asks for no password and {does}" + (", velocities included" if motion else ""),
             advice=advice,
             related=[
                 *(note(defaults[each], "the default of its address") for each in (first, *others) if each in defaults),
@@ -142,15 +146,32 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
 def _is_in_network_of_docker(robot: Robot, where: Span) -> bool:
     """Whether a service is in containers that are not on the host network."""
     services = docker.services_with(robot.compose, where) if robot.of_kind("compose") else []
-    return bool(services) and not any(service.is_on_host_network for service in services)
+    return bool(services) and not any(_is_on_host_network(robot, service) for service in services)
+
+
+def _is_on_host_network(robot: Robot, service: Service) -> bool:
+    """Whether a container is on the host network, by itself or by way of the one whose network it shares."""
+    kind, _, name = str(service.network_mode or "").partition(":")
+    shared = [each for each in robot.compose.services if name and name in (each.name, each.scalar("container_name"))]
+    return service.is_on_host_network or (
+        kind in ("service", "container") and (not shared or any(each.is_on_host_network for each in shared))
+    )
 
 
 def _is_driven(robot: Robot) -> bool:
     """Whether a file names the topic that drives the robot, and not one that a simulator drives."""
     if not robot.mentions(DRIVES):
         return False
-    said = (each for each in robot.sources if each.judged and each.says(DRIVES) and not RECORDS.search(each.name))
+    said = (each for each in robot.sources if each.judged and _is_driving(each))
     return any(robot.files.purpose(each).value != "simulation" for each in said)
+
+
+def _is_driving(source: Source) -> bool:
+    """Whether a file names a topic of velocities: a node, whatever the names of the file and the topic, and others
+    that do not only record it."""
+    if source.kind in ("python-node", "cpp-node") and source.says(TWIST):
+        return source.says(DRIVES)
+    return source.says(COMMANDS) and not RECORDS.search(source.name)
 
 
 def _severity(kind: str, motion: bool) -> str | None:

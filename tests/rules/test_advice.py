@@ -44,6 +44,14 @@ def test_a_container_does_not_listen_on_its_own_loopback_address() -> None:
     assert all("publish the port of its container" in advice for advice in found)
 
 
+def test_a_container_that_shares_a_network_publishes_no_port_of_its_own() -> None:
+    found = {
+        each["message"].split()[0]: each["advice"] for each in findings("host/unauthenticated-service", "bad_shared")
+    }
+    assert found["mosquitto"] == "use password_file, or bind it to 127.0.0.1"
+    assert found["Flask"].startswith("remove debug=True, and publish the port of its container")
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [

@@ -110,10 +110,12 @@ def mentions(files: Files, package: Package, word: str) -> bool:
 
 
 def may_declare(files: Files, workspace: Workspace, package: Package, name: str) -> bool:
-    """Whether a node of a package may declare a parameter: a source names it, takes every name or one that it makes
-    up, or nothing is known of its sources."""
-    texts = [source.text for source in _sources(files, workspace, package)]
-    return not texts or any(name in text or _UNKNOWN.search(text) for text in texts)
+    """Whether a node of a package may declare a parameter: a source of the workspace, where its class may come from,
+    names it, takes every name or one that it makes up, or nothing is known of its sources."""
+    if next(_sources(files, workspace, package), None) is None:
+        return True
+    sources = (source for each in workspace.packages.values() for source in _sources(files, workspace, each))
+    return any(name in source.text or source.matches(_UNKNOWN) for source in sources)
 
 
 def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:
