@@ -2,10 +2,8 @@
 
 ## What it finds
 A call of a name with an underscore in a script that has other functions of this kind (`setup_host` beside
-`setup_workspace`), where nothing in the tree defines or otherwise names it. Also `install` without any argument in a
-script that has functions, and none of this name: the program of that name fails without files. Silent in scripts that
-source files of others than ROS, for calls with options or with `sudo`, as of programs, and for those whose failure is
-expected.
+`setup_workspace`), where nothing in the tree defines or otherwise names it. Silent in scripts that source files of
+others than ROS, for calls with options or with `sudo`, as of programs, and for those whose failure is expected.
 
 ## Why it matters on a robot
 The function was renamed or removed, and its call was left: "command not found". Under `set -e` the set-up ends there;
@@ -58,8 +56,6 @@ PROGRAMS = regex(
     r"|usb_modeswitch\w*|xinput_calibrator|start_x|test_cam"
 )
 """Names of programs and of functions of a workspace, which have an underscore as well."""
-PROGRAM = "install"
-"""A program that people call functions after."""
 MOST = 20
 READ = 200_000
 """How much of a file is searched for a name."""
@@ -75,7 +71,7 @@ class Suspect(NamedTuple):
     calls: list[Run]
 
 
-@rule("warning", symptoms=["*: command not found", "install: missing file operand"])
+@rule("warning", symptoms=["*: command not found"])
 def function_missing(robot: Robot) -> Iterator[Finding]:
     for each in _alone(robot, islice(_suspects(robot), ASKED)):
         first, *others = each.calls
@@ -85,21 +81,6 @@ def function_missing(robot: Robot) -> Iterator[Finding]:
             advice="define the function, or remove the call",
             related=[note(other.words[0], "here too") for other in others[:MOST]],
         )
-    yield from _operandless(robot)
-
-
-def _operandless(robot: Robot) -> Iterator[Finding]:
-    """Calls without arguments of a program that needs some, in scripts with functions."""
-    for source, run in robot.scripts.run(PROGRAM):
-        if len(run.words) > 1 or run.command.words[0] != PROGRAM or source.template or source.matches(SOURCES):
-            continue
-        own = {match["word"] or match["name"] for match in DEFINES.finditer(source.text)}
-        if own and PROGRAM not in own and not _may_fail(run):
-            yield finding(
-                run.words[0],
-                f"The script has no function {PROGRAM}, and the program of this name fails without files",
-                advice="define the function, or remove the call",
-            )
 
 
 def _suspects(robot: Robot) -> Iterator[Suspect]:
