@@ -60,7 +60,6 @@ SOURCES = regex(r"(?:\bsource|(?:^|[\s;&|])\.)[ \t]+[^\n;&|]*$")
 ARGUMENTS = regex(r"\$#|\$\{?1\b")
 FOR_A_PERSON = regex(
     r"(?m)^[ \t]*(?:unalias\b|alias[ \t]+[\"']?[\w-]+=)|\b(?:source|\.)[ \t]+[\"']?(?:~|\$HOME)/\.bashrc"
-    r"|^[ \t]*eval\b[^\n]{0,80}/\.bashrc"
 )
 """What is of use only in the shell of whoever sources the script."""
 TEXTS = (".md", ".rst", ".txt")

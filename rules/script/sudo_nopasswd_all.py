@@ -4,7 +4,8 @@
 In a sudoers file, or in what a script writes to one:
 
 - A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without. It is info where a comment on
-  the line, right above it or at the head of the script says that sudo without a password is intended.
+  the line or right above it says that root or sudo is intended, or one at the head of the script says that sudo
+  without a password is.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
   It is info where they only shut the computer down.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
@@ -93,6 +94,13 @@ MEANT = regex(
     hints="intentional deliberate purpose",
 )
 """One sentence says that the right is intended, and that it is about root."""
+OF_RIGHT = r"(?:\bNOPASSWD\b|\bpassword-?less(?:ly)? sudo\b|\bsudo (?:rights )?without (?:a |any )?password\b)"
+MEANT_FAR = regex(
+    rf"{INTENDED}[^.;]{{0,200}}?{OF_RIGHT}|{OF_RIGHT}[^.;]{{0,200}}?{INTENDED}",
+    re.I,
+    hints="intentional deliberate purpose",
+)
+"""The same far from the line: there, sudo and root may be those of the whole script."""
 HEAD = 20
 LONGEST_HEAD = 2_000
 """The lines and characters at the top of a file in which comments speak of the whole."""
@@ -172,8 +180,9 @@ def _is_meant(what: Located) -> bool:
         written = source.origin.whole
         source = written.source
         comments += source.comments_at(written.line)
-    comments += [line for line in source.text[:LONGEST_HEAD].splitlines()[:HEAD] if line.startswith("#")]
-    return MEANT.search(" ".join(comments)) is not None
+    lines = source.text[:LONGEST_HEAD].splitlines()[:HEAD]
+    head = " ".join(line if line.startswith("#") and line.strip("# ") else "." for line in lines)
+    return MEANT.search(" ".join(comments)) is not None or MEANT_FAR.search(head) is not None
 
 
 def _of_own(robot: Robot, who: str, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:

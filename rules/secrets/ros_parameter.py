@@ -3,7 +3,8 @@
 ## What it finds
 Parameters with the name of a secret (`..._password`, `api_key`, `token`) that are filled from the environment or
 from a launch argument, in parameter files and launch files. A parameter that holds the path of a credential file is
-not reported, and neither is one of a node of the tree that no source of the tree may declare. `secrets/plain-secret` reports values in clear text.
+not reported, and neither is one of a node of the tree that no source of the tree may declare.
+`secrets/plain-secret` reports values in clear text.
 
 ## Why it matters on a robot
 Parameters are public on the graph: every participant can read the value with `ros2 param get`, and it appears on
