@@ -10,11 +10,12 @@ runuser or fixuid, which drop privileges, or if the entry script is that of a ba
 Images of a tree that run as root for the same purpose are one finding.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
-somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; an image whose command
-is a shell, and whose services in compose files say nothing but how it is built; one whose services only keep a shell
-open (`command: bash`, `tty: true`); a builder, a simulator or a
-demonstration; a Dockerfile that nothing builds while another one in its place is built; and an image that copies
-nothing, builds nothing and has nothing of ROS: it runs a program of the distribution.
+somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; an image whose command is a
+shell, and whose services in compose files say nothing but how it is built; one without ENTRYPOINT whose services only
+keep a shell open (`command: bash`, `tty: true`), in which nothing of the tree but a shell is run (`docker exec -it
+ferry bash`); a builder, a simulator or a demonstration; a Dockerfile that nothing builds while another one in its
+place is built; and an image that copies nothing, builds nothing and has nothing of ROS: it runs a program of the
+distribution.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -86,6 +87,13 @@ LEAVES = regex(
 """A command that another user runs."""
 HOME_OF_ROOT = regex(r"(?<![\w./-])/root(?![\w.-])", hints="/root")
 REMOVED = regex(r"\brm[ \t](?:\\\n|[^\n;&|]){0,900}", hints="rm")
+EXECUTES = regex(
+    r"\b(?:docker|podman|nerdctl|compose)\b[^\n;&|]{0,200}[ \t\"',]exec[\s\"',]"
+    r"(?![^\n;&|<]{0,200}[\s\"',](?:[\w/]{0,20}/)?(?:ba|z|da)?sh[\"']?[ \t]*(?:\Z|[\n;&)\]}]))"
+    r"|\|[ \t]*(?:sudo[ \t]+)?(?:docker|podman|nerdctl)[^\n;&|]{0,200}[ \t]exec[ \t]|[\"']exec[\"'],|\bexec_run\(",
+    hints="exec",
+)
+"""What runs more than a shell in a container that is there."""
 MOST = 20
 OF_BUILD = frozenset({"build", "image", "profiles", "platform", "container_name", "extends"})
 """Keys of a service that is there to build an image."""
@@ -142,8 +150,9 @@ def _found(robot: Robot) -> Iterator[AsRoot]:
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
             services = [service for service in users if service.user is None]
             of_robot = is_deployed(robot.compose, file) and (holds_ros(stage) or any(map(reach, services)))
-            by_hand = bool(services) and all(map(is_entered_by_hand, services))
-            lowered = not of_robot or _serves_logins(stage) or _runs_packaged(stage) or by_hand
+            lowered = (
+                not of_robot or _serves_logins(stage) or _runs_packaged(stage) or _is_entered(robot, stage, services)
+            )
             yield AsRoot(stage, services, lowered)
 
 
@@ -227,6 +236,13 @@ def _runs_packaged(stage: Stage) -> bool:
     text = " ".join(str(instruction.value) for instruction in each)
     is_plain = DISTRIBUTION.match(stage.origin) is not None
     return is_plain and PACKAGES.search(text) is not None and OWN.search(text) is None
+
+
+def _is_entered(robot: Robot, stage: Stage, services: list[Service]) -> bool:
+    """Whether the container is open for somebody, and nothing of the tree starts anything in it."""
+    if stage.last("ENTRYPOINT") is not None or not services or not all(map(is_entered_by_hand, services)):
+        return False
+    return not robot.mentions(EXECUTES)
 
 
 def _entrypoint_is_unknown(robot: Robot, stage: Stage) -> bool:

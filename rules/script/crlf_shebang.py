@@ -2,7 +2,8 @@
 
 ## What it finds
 A shell script whose first line, `#!/bin/bash`, ends in CR LF. Info where the script is not executable, while others
-of the repository are, and nothing names it.
+of the repository are, and nothing names it, by itself or with a pattern (`scripts/*.sh`). A bare name that several
+scripts have is one of those in the folder.
 
 ## Why it matters on a robot
 The kernel takes the carriage return as part of the interpreter's name and looks for `/bin/bash\\r`. A unit that
@@ -29,6 +30,7 @@ When every caller names the interpreter itself (`bash start.sh`) and the command
 """
 
 import posixpath
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,6 +38,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+
+ABSOLUTE = r"(?:/[\w.-]{1,60}){1,9}"
+UNKNOWN = r"(?:^|[\s\"'=])|\$[\w{}]{1,60}[\"']?/"
+"""What stands before a pattern for files of a folder that is not named."""
 
 
 @rule(
@@ -67,11 +73,21 @@ def crlf_shebang(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_idle(robot: Robot, source: Source) -> bool:
-    """Whether a script cannot be run by its path, as it is not executable where others are, and nothing else names
-    it."""
+    """Whether a script cannot be run by its path, as it is not executable where others are, and nothing else names or
+    takes it."""
     if not robot.tree.keeps_modes or robot.tree.is_executable(source.name):
         return False
     folder, name = posixpath.split(source.name)
-    path = f"{posixpath.basename(folder)}/{name}"
-    others = (each for each in robot.sources if each is not source and name in each.text)
-    return not any(path in each.text or posixpath.dirname(each.name) == folder for each in others)
+    is_alone = not any(each is not source and each.basename == name for each in robot.of_kind("shell-script"))
+    place = re.escape(posixpath.basename(folder))
+    path = re.compile(rf"\b{place}/{re.escape(name)}|(?:^|[\s\"'=:]){ABSOLUTE}/{re.escape(name)}\b", re.M)
+    all_of_folder = re.compile(rf"(?:{UNKNOWN}|\b{place}[\"']?/)\*\.(?:sh|bash)\b|\b{place}[\"']?/\*(?![\w*/.])", re.M)
+    for each in robot.sources:
+        if each is source:
+            continue
+        is_beside = posixpath.dirname(each.name) == folder
+        if name in each.text and (is_alone or is_beside or path.search(each.text)):
+            return False
+        if "*" in each.text and all_of_folder.search(each.text):
+            return False
+    return True
