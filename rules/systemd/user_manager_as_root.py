@@ -1,7 +1,8 @@
 """A drop-in gives the managers of all users to one user.
 
 ## What it finds
-`User=` in a drop-in or a copy of `user@.service`, other than `User=%i`.
+`User=` in a drop-in or a copy of `user@.service`, other than `User=%i`, where no file of the tree sets this afterwards.
+Drop-ins of one user's manager, as `user@1000.service`, are not judged.
 
 ## Why it matters on a robot
 `user@.service` starts the manager of each user who logs in, with all of that user's services. With `User=root` they
@@ -37,22 +38,22 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-MANAGER = regex(r"user@\w*\.service")
+MANAGER = "user@.service"
 OF_INSTANCE = ("", "%i", "%I")
 
 
 @rule("error", tags=["CWE-250"], silent="systemd starts the manager as the user that it is told")
 def user_manager_as_root(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.unit_files:
-        if not MANAGER.fullmatch(file.name):
-            continue
-        for each in file.assignments:
-            if each.key == "User" and not each.opaque and each.value not in OF_INSTANCE:
-                yield finding(
-                    each.value,
-                    f"{file.name} is the manager of every user: all of them, with their services, run as {each.value}",
-                    advice="remove User=, and give commands that need root the prefix +",
-                )
+    managers = [file for file in robot.units.unit_files if file.name == MANAGER]
+    settings = [[each for each in file.assignments if each.key == "User"] for file in managers]
+    last = [each[-1] for each in settings if each]  # of each file
+    if any(each.opaque or each.value in OF_INSTANCE for each in last):
+        return
+    for each in last:
+        yield finding(
+            each.value,
+            f"{MANAGER} is the manager of every user: all of them, with their services, run as {each.value}",
+            advice="remove User=, and give commands that need root the prefix +",
+        )
