@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
     from bringup_lint.graph.host.device_uses import device_path
-    from bringup_lint.graph.host.devices import is_link_by_form
     from bringup_lint.graph.host.dhcp import LostRange
     from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
@@ -34,7 +33,6 @@ __all__ = [
     "Mount",
     "Ungiven",
     "device_path",
-    "is_link_by_form",
     "is_program",
     "lost_ranges",
     "meant_programs",

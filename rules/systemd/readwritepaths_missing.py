@@ -8,8 +8,10 @@ script.
 - In a complete root file system, every path is checked.
 - In a repository, only paths below /var/log, /var/lib, /run and similar folders are checked, where nothing
   exists by default.
-- A device node that may be unplugged is a warning in ReadWritePaths=, where the unit neither depends on its device unit
-  nor checks that it exists: /dev is writable without the line, whatever ProtectSystem= says. Else it is an info.
+- A device on USB (`ttyUSB0`, `ttyACM0`, `video0`, `js0`, names in `by-id`, links that udev rules of the tree make of
+  one) is a warning in ReadWritePaths= of a unit that a target starts. Other devices are an info, and so are these where
+  a unit of the tree names the device unit, where the unit names any device unit, has a condition on /dev or a command
+  before the start with the prefix `+`, or where a path unit, a timer or udev starts it.
 
 ## Why it matters on a robot
 systemd cannot set up the mount namespace, and the service does not start: 226/NAMESPACE. It works on the
@@ -48,7 +50,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.host import device_path
-from bringup_lint.api.host import is_link_by_form
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import line_to_create
 from bringup_lint.api.systemd import paths
@@ -65,10 +66,17 @@ ALWAYS = (
     "/dev/dri",
     "/dev/snd",
 )
-ADAPTER = regex(r"/dev/(?:ttyUSB|ttyACM|video|serial/|v4l/)")
-"""What a device on USB is called."""
-PULLS = ("BindsTo", "Requires", "Wants", "Requisite")
-CHECKS = ("ConditionPathExists", "AssertPathExists")
+USB = regex(
+    r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d|(?:input/)?js\d+|(?:serial|v4l|input)/by-id/usb-.+)",
+)
+"""What a device on USB is called; the codecs of a Raspberry Pi begin with video10."""
+KERNEL = regex(r"ttyUSB|ttyACM")
+TESTS = ("Condition", "Assert")
+STARTING = regex(r"\bSYSTEMD_(?:USER_)?WANTS\b|\bsystemctl\b|\bsystemd-run\b", hints="SYSTEMD_ system")
+"""A rule of udev that starts units."""
+OUTSIDE = regex(r"[-@:!|]*\+")
+"""Begins a command that runs without the sandbox."""
+BEFORE = ("ExecStartPre", "ExecCondition")
 
 
 @rule(
@@ -77,6 +85,8 @@ CHECKS = ("ConditionPathExists", "AssertPathExists")
     symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE", "Failed at step NAMESPACE spawning"],
 )
 def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
+    started = any(STARTING.search(source.said) for source in robot.of_kind("udev-rules"))
+    awaited = {path for each in robot.units.all for word in _device_units(each) if (path := device_path(word))}
     for unit in robot.units.judged:
         box = robot.units.sandbox(unit)
         if not unit.complete or box.own_root:
@@ -89,6 +99,8 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                 device = path.startswith("/dev/")
                 if path.startswith(ALWAYS) if device else robot.filesystem.is_created(path, unit) is not False:
                     continue
+                may_lack = device and key == KEYS[0] and not started and path not in awaited
+                may_lack = may_lack and _is_usb(robot, path) and _starts_anyway(robot, unit)
                 yield finding(
                     word,
                     f"When {path} does not exist, {unit.name} does not start: 226/NAMESPACE"
@@ -96,17 +108,38 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                     else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
                     fix=fix(f"write -{path}", (word.part(0, 0), "-")) if unit.editable else None,
-                    severity="info" if device and not (key == KEYS[0] and _may_lack(path, unit)) else "warning",
+                    severity="info" if device and not may_lack else "warning",
                     confidence="high" if robot.tree.complete and not device else "medium",
                 )
 
 
-def _may_lack(path: str, unit: Unit) -> bool:
-    """Whether a device may be unplugged, and the unit starts all the same."""
-    if ADAPTER.match(path) is None and not is_link_by_form(path):
+def _is_usb(robot: Robot, path: str) -> bool:
+    """Whether a path is of a device that may be unplugged, by its name or by the rules of udev that make it."""
+    if USB.fullmatch(path):
+        return True
+    links = [link for link in robot.udev.links_to(path) if link.is_fixed]
+    return bool(links) and all(link.rule.usb_ids or any(map(KERNEL.match, link.rule.kernels)) for link in links)
+
+
+def _starts_anyway(robot: Robot, unit: Unit) -> bool:
+    """Whether a unit is started at boot, and nothing asks for a device before."""
+    targets = [*unit.words("WantedBy", "Install"), *unit.words("RequiredBy", "Install")]
+    if not any(word.endswith(".target") for word in targets) or unit.name in robot.units.triggered:
         return False
-    is_awaited = any(device_path(word) == path for key in PULLS for word in unit.words(key))
-    return not is_awaited and not any(str(unit.get(key, "Unit")) == path for key in CHECKS)
+    if any(True for _ in _device_units(unit)):
+        return False
+    if any(OUTSIDE.match(value) for key in BEFORE for value in unit.values(key)):
+        return False
+    settings = (each for file in unit.files for each in file.assignments)
+    return not any(each.key.startswith(TESTS) and "/dev" in each.value for each in settings)
+
+
+def _device_units(unit: Unit) -> Iterator[str]:
+    """The device units that a unit names, be it in [Install]."""
+    for file in unit.files:
+        for each in file.assignments:
+            if ".device" in each.value:
+                yield from (word for word in each.value.split() if word.endswith(".device"))
 
 
 def _advice(path: str, device: bool) -> str:
