@@ -386,6 +386,8 @@ class TextAsBool(NamedTuple):
     parameter: Located | None
     """None when its name is not a literal."""
     default: Located
+    is_declared: bool
+    """A statement before it has surely declared the parameter already."""
 
 
 @dataclass(eq=False, slots=True)

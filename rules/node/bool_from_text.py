@@ -3,7 +3,7 @@
 ## What it finds
 In C++ `declare_parameter<bool>("x", "false")` and `get_parameter_or<bool>("x", x, "false")`: a default that means no
 and is a string literal. It is a warning where everything that starts the node gives it the parameter, and an info where
-another call of the file declares it: a declared parameter has a value, or the declaration has thrown before.
+a statement before it, in a block around it, declares it: then it has a value, or the declaration has thrown before.
 
 ## Why it matters on a robot
 A string literal is an address, and an address converts to `true`, whatever the text says. The compiler accepts it, with
@@ -42,15 +42,14 @@ MEANS_NO = frozenset({"", "0", "false", "no", "off"})
 @rule("error", silent="the text converts to true without a message")
 def bool_from_text(robot: Robot) -> Iterator[Finding]:
     for source in robot.nodes.cpp:
-        for name, text in source.texts_as_bool:
+        for name, text, is_declared in source.texts_as_bool:
             if text.lower() in MEANS_NO:
                 is_given = name is not None and robot.topics.is_always_given(source.source, name)
-                is_unused = any(each.name == name and not each.span.holds(text.span) for each in source.parameters)
                 yield finding(
                     text,
                     f'"{text}" is a text, and its address converts to true: without the parameter this is on',
                     advice="write false without quotes",
                     severity="info"
-                    if is_unused
+                    if is_declared
                     else robot.nodes.lowered(source.source, "warning" if is_given else "error"),
                 )

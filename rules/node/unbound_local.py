@@ -5,9 +5,9 @@ In the functions of Python nodes, and of the Python modules beside them, a name 
 down, as when `global` is missing for one of the file; a name that a `try` alone assigns, whose `except` only prints
 or logs, and that is used right after it, in a loop too, where the first turn may fail; and one that an `if` without
 `else` alone assigns, and that is used after it in any case, with `elif` where the file handles other values elsewhere,
-unless the branches are for x86_64 and aarch64, the two that ROS 2 has packages for. Other loops, where a turn before
-may have set it, are left out, and so is what runs only under a condition. It is an info in packages that others wrote
-and the tree only carries.
+unless the branches are for x86_64 and aarch64, the two that ROS 2 has packages for, ask for nothing else, and the file
+knows no third one. Other loops, where a turn before may have set it, are left out, and so is what runs only under a
+condition. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the

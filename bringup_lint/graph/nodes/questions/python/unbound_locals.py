@@ -162,7 +162,9 @@ class _Locals:
         for statement in self._nodes:
             if isinstance(statement, ast.If) and self._is_open(statement):
                 branches = _branches(statement)
-                if branches is None or (len(branches) > 1 and not self._has_others(statement)) or _is_whole(statement):
+                if branches is None or (len(branches) > 1 and not self._has_others(statement)):
+                    continue
+                if _is_whole(self._syntax, statement):
                     continue
                 inside = [{part for each in branch for part in walk(each)} for branch in branches]
                 made = dict(self._made_in(set().union(*inside)))
@@ -297,10 +299,49 @@ def _branches(choice: ast.If) -> list[list[ast.stmt]] | None:
     return branches if not choice.orelse else None
 
 
-def _is_whole(choice: ast.If) -> bool:
-    """Whether a chain has a branch for each architecture."""
-    words = {word for test in _tests(choice) for part in walk(test) for word in _words(part)}
-    return not any(words.isdisjoint(names) for names in _MACHINES)
+def _is_whole(syntax: Syntax, choice: ast.If) -> bool:
+    """Whether a chain has a branch for each architecture, asks for nothing else, and the file knows of no other."""
+    asked = [_compared(test) for test in _tests(choice)]
+    words = frozenset().union(*(each.words for each in asked if each is not None))
+    first = asked[0]
+    if first is None or any(each is None or each.subject != first.subject for each in asked):
+        return False
+    if any(words.isdisjoint(names) for names in _MACHINES):
+        return False
+    known = syntax.once(_compared_words).get(first.subject, frozenset())
+    return known <= frozenset().union(*_MACHINES)
+
+
+class _Compared(NamedTuple):
+    """``subject == "word"``, ``subject in ("word", "word")``"""
+
+    subject: str
+    words: frozenset[str]
+
+
+def _compared(test: ast.AST) -> _Compared | None:
+    """What a condition compares with texts; None where it asks for anything else."""
+    if not isinstance(test, ast.Compare) or len(test.ops) != 1:
+        return None
+    given = test.comparators[0]
+    if isinstance(test.ops[0], ast.In) and isinstance(given, (ast.Tuple, ast.List, ast.Set)):
+        values = given.elts
+    elif isinstance(test.ops[0], ast.Eq):
+        values = [given]
+    else:
+        return None
+    words = frozenset(each.value for each in values if isinstance(each, ast.Constant) and isinstance(each.value, str))
+    return _Compared(ast.unparse(test.left), words) if len(words) == len(values) else None
+
+
+def _compared_words(syntax: Syntax) -> dict[str, frozenset[str]]:
+    """What is compared with texts -> all of these in the file."""
+    found: dict[str, frozenset[str]] = {}
+    for node in syntax.file.nodes:
+        compared = _compared(node)
+        if compared is not None:
+            found[compared.subject] = found.get(compared.subject, frozenset()) | compared.words
+    return found
 
 
 def _tests(choice: ast.If) -> Iterator[ast.expr]:
