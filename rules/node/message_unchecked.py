@@ -7,7 +7,7 @@ In callbacks of subscriptions and services of Python nodes, outside every `try` 
 - both also after a branch that asks for the text, where the branch leaves nothing and the line after it runs all the
   same,
 - the first or last element, `max()` or `min()` of an array that is empty in regular operation, and that the function
-  asks nothing about before: `detections`, `markers`, the `poses` of a path.
+  asks nothing about before: `detections`, `markers`, the `poses` of a path, the `points` of a trajectory.
 
 Also a `try` that takes another exception than the one which is raised: StopIteration of `next()` of a search that may
 find nothing, SerialException of a port that is opened, ConnectionRefusedError of a socket, IndexError of the `axes` and

@@ -7,6 +7,7 @@ from bringup_lint.pattern import regex
 EMPTY = {
     "nav_msgs/msg/Path": ("poses",),
     "geometry_msgs/msg/PoseArray": ("poses",),
+    "trajectory_msgs/msg/JointTrajectory": ("points",),
     "visualization_msgs/msg/MarkerArray": ("markers",),
     "vision_msgs/msg/Detection2DArray": ("detections",),
     "vision_msgs/msg/Detection3DArray": ("detections",),
@@ -18,7 +19,8 @@ EMPTY = {
     "yolov8_msgs/msg/DetectionArray": ("detections",),
     "darknet_ros_msgs/msg/BoundingBoxes": ("bounding_boxes",),
 }
-"""Messages that come without elements in regular operation: nothing is seen, or a path is cleared."""
+"""Messages that come without elements in regular operation: nothing is seen, a path is cleared, or an
+empty trajectory stops what moves."""
 SEEN_WORDS = "detections|bounding_boxes|boxes|objects|obstacles|persons|people|faces|tracks|markers|marker_ids"
 SEEN = regex(rf"(?:{SEEN_WORDS})\Z")
 """Names for the same in messages of the robot's own."""
