@@ -122,20 +122,21 @@ class Topics:
         return {str(each.name): each.default for each in declared if each.known}
 
     def defaults_beside(self, started: Started) -> dict[str, object]:
-        """The same of the other C++ sources of its package, which its program may consist of, where they agree."""
-        code = self.code(started)
-        if code is None or code.source is None:
-            return {}
-        owner = self.launch.workspace.owner
+        """The same of the other C++ sources that its program is made of, where they agree; not of what its own
+        declares."""
+        code, paths = self.code(started), self._parameter_names.sources_of(started)
         found: dict[str, list[Parameter]] = {}
+        own: set[str] = set()
         for node in self.nodes.cpp:
-            if node.source is not code.source and owner(node.source) is owner(code.source):
+            if code is not None and node.source is code.source:
+                own = {str(each.name) for each in node.parameters}
+            elif code is not None and node.source.absolute in paths:
                 for each in node.parameters:
                     found.setdefault(str(each.name), []).append(each)
         return {
             name: first.default
             for name, (first, *others) in found.items()
-            if first.known and all(each.known and each.default == first.default for each in others)
+            if name not in own and first.known and all(each.known and each.default == first.default for each in others)
         }
 
     def waits(self, started: Started) -> bool:

@@ -86,6 +86,13 @@ class ParameterNames:
             self._known[key] = self._of(package, program)
         return self._known[key]
 
+    def sources_of(self, started: Started) -> set[str]:
+        """The C++ files that the build description of its package makes a program of, and those of headers that they
+        include."""
+        package, word = self._workspace.packages.get(str(literal_text(started.package))), started.program
+        made = _made(package, str(word)) if package is not None and word is not None else None
+        return self._used(package, made) if package is not None and made else set()
+
     @property
     def all(self) -> Iterator[ParameterWords]:
         """What is known of every program of the workspace."""
