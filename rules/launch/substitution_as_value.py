@@ -3,9 +3,9 @@
 ## What it finds
 `LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
 with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
-instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning where the argument is
-empty by default, else an info: what it keeps out seldom comes. A key is a warning where the included file has the same
-value as its default.
+instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning, and an info where the
+default is a text or a path and no include of the tree gives anything else: what it keeps out seldom comes. A key is a
+warning where the included file has the same value as its default.
 
 ## Why it matters on a robot
 The description is built before launch knows any argument, and the object is not its value. A comparison is always
@@ -88,14 +88,24 @@ def severity_of(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue
     if use.how == "argument-name" and any(each.start <= use.span.start < each.end for each in file.idle):
         return "info"
     if use.how == EMPTY:
-        return "warning" if is_empty(robot, file, use) else "info"
+        return "info" if is_filled(robot, file, use) else "warning"
     return "warning" if is_default(robot, file, use) else None
 
 
-def is_empty(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:
-    """Whether an argument is the empty text unless somebody gives it."""
-    declared = (each.action for each in robot.launch.expansion(file).declared if each.name == use.argument.name)
-    return any(each.default is not None and launch.literal(each.default) == "" for each in declared)
+def is_filled(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:
+    """Whether an argument has a text by default, and whoever includes the file gives it one."""
+    name = str(use.argument.name)
+    values = [each.action.default for each in robot.launch.expansion(file).declared if each.name == name]
+    for expansion in robot.launch.leading_to(file):
+        values += (each.values[name] for each in expansion.includes if each.target is file and name in each.values)
+    return bool(values) and all(map(has_text, values))
+
+
+def has_text(value: launch.Value | None) -> bool:
+    """Whether a value is a text or a path that cannot be empty."""
+    if isinstance(value, launch.Concat | launch.PathJoin):
+        return any(map(has_text, value.parts))
+    return isinstance(value, launch.PackageShare) or (value is not None and launch.literal(value) not in (None, ""))
 
 
 def is_default(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:
