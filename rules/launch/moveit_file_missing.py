@@ -51,7 +51,8 @@ def moveit_file_missing(robot: Robot) -> Iterator[Finding]:
         names = robot.tree.names_below(each.package.folder, depth=4)
         known = sorted({os.path.basename(name) for name in names if name.endswith(ENDINGS)})
         near = nearest(os.path.basename(each.path), known, 4)
-        homes = homes_of(robot, each.path) if each.path.endswith(".srdf") else []
+        is_other = each.path.endswith(".srdf") and not any(name.endswith(".srdf") for name in known)
+        homes = homes_of(robot, each.path) if is_other else []
         what = "exists in the source and is not installed" if each.exists else "does not exist"
         yield finding(
             each.where,
