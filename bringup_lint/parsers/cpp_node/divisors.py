@@ -38,11 +38,11 @@ def divisors(code: Code) -> Iterator[Divisor]:
 
 
 def _is_zero_too(code: Code, divisor: Node, dividend: Node | None) -> bool:
-    """Whether what is divided is a velocity of the same message, perhaps multiplied."""
+    """Whether what is divided is the other velocity of the same message, perhaps multiplied: 0 to stop alone."""
     text = code.text(divisor)
     message = text.removesuffix("angular.z").removesuffix("linear.x")
-    factors = code.text(dividend).replace(" ", "").split("*")
-    return any(each in (f"{message}linear.x", f"{message}linear.y", f"{message}angular.z") for each in factors)
+    other = "linear.x" if text.endswith("angular.z") else "angular.z"
+    return f"{message}{other}" in code.text(dividend).replace(" ", "").split("*")
 
 
 def _is_guarded(code: Code, node: Node) -> bool:
