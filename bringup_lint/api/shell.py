@@ -6,8 +6,10 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.background import SHORT
     from bringup_lint.graph.commands.background import Job
     from bringup_lint.graph.commands.background import background_jobs
+    from bringup_lint.graph.commands.background import ends_after
     from bringup_lint.graph.commands.docker_options import Option
     from bringup_lint.graph.commands.docker_options import run_options
     from bringup_lint.graph.commands.expected_failure import is_forgiven
@@ -63,6 +65,7 @@ else:
 
 __all__ = [
     "SHELLS",
+    "SHORT",
     "SH_IS_BASH",
     "STRICT",
     "Block",
@@ -82,6 +85,7 @@ __all__ = [
     "background_jobs",
     "commands",
     "ended_by_failure",
+    "ends_after",
     "every_command",
     "file_modes",
     "functions",

@@ -43,8 +43,9 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import SHORT
 from bringup_lint.api.shell import Command
-from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.shell import ends_after
 from bringup_lint.api.systemd import Unit
 
 TRAP = regex(
@@ -59,8 +60,6 @@ OF_SHORT_SCRIPT = (
     "end the script with wait, so that it runs for as long as what it starts, and set KillMode=mixed: without wait, "
     "systemd would end it together with the script"
 )
-SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logger", "systemd-notify"))
-"""Programs that end by themselves."""
 
 
 @rule(
@@ -91,7 +90,7 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
             what, them = ("what its script leaves in the background keeps", "it")
         is_doubled = robot.units.restart(unit).restart != "no" and not (left and _ends_earlier(left))
         again = f", and a restart starts {them} twice" if is_doubled else ""
-        waits = left is None or not _ends_script(left)
+        waits = not _ends_at_once(robot, unit)
         yield finding(
             mode.where,
             f"KillMode={mode.value}: {stops}; {what} running{again}",
@@ -101,11 +100,16 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _ends_script(left: Command) -> bool:
-    """Whether the script of a command ends with the start of something in the background: it does not run on until the
-    stop, at which another mode would end what it left."""
-    source = left.words[0].span.source
-    return source.kind == "shell-script" and shell_commands(source)[-1].background
+def _ends_at_once(robot: Robot, unit: Unit) -> bool:
+    """Whether a script of a service starts something in the background and ends: it does not run on until the stop, at
+    which another mode would end what it left."""
+    if unit.get("Type") == "forking" or unit.flag("RemainAfterExit"):
+        return False
+    return any(
+        _is_left(step.command) and ends_after(process, step)
+        for process in robot.units.started(unit)
+        for step in process.steps
+    )
 
 
 def _left(robot: Robot, unit: Unit) -> Iterator[Command]:
@@ -118,8 +122,11 @@ def _left(robot: Robot, unit: Unit) -> Iterator[Command]:
 
 
 def _stays(command: Command) -> bool:
-    is_left = command.background and bool(command.words) and command.words[0] not in SHORT
-    return is_left and not command.words[0].span.source.matches(TRAP)
+    return _is_left(command) and not command.words[0].span.source.matches(TRAP)
+
+
+def _is_left(command: Command) -> bool:
+    return command.background and bool(command.words) and command.words[0] not in SHORT
 
 
 def _ends_earlier(command: Command) -> bool:

@@ -52,6 +52,13 @@ def test_a_container_that_shares_a_network_publishes_no_port_of_its_own() -> Non
     assert found["Flask"].startswith("remove debug=True, and publish the port of its container")
 
 
+def test_a_script_that_ends_at_once_must_wait_before_another_killmode() -> None:
+    short = findings("systemd/kill-mode", "bad_short")
+    assert len(short) == 3
+    assert all(each["advice"].startswith("end the script with wait") and not each.get("fix") for each in short)
+    assert {each["advice"] for each in findings("systemd/kill-mode", "bad_lasting")} == {"set KillMode=mixed"}
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [

@@ -15,6 +15,11 @@ from bringup_lint.pattern import regex
 _PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
 _BUILTINS = ("trap", "set", "export", "cd", "kill")
 """What takes no time after a job; ``kill`` is of a trap."""
+SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logger", "systemd-notify"))
+"""Programs that end by themselves."""
+_FILES = ("touch", "mkdir", "chmod", "chown", "rm", "cp", "mv", "ln", "date", "sync", "source", ".")
+_LONGEST = regex(r"\d{1,3}(?:\.\d{1,9})?s?")
+"""What sleep takes where a script does not wait for ever."""
 _INTERPRETERS = regex(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
 _SERVERS = regex(
     r"ros(?:launch|run|core)|gst-launch-1\.0|MicroXRCEAgent|micro_ros_agent|mjpg_streamer|zenohd|zenoh-bridge-\w+"
@@ -43,6 +48,13 @@ def background_jobs(line: CommandLine) -> Iterator[Job]:
         yield Job(step, ends and not step.command.depth)
 
 
+def ends_after(line: CommandLine, step: Step) -> bool:
+    """Whether nothing keeps a shell running after one of its commands, but what ends by itself."""
+    at = next(at for at, each in enumerate(line.steps) if each is step)
+    after = line.steps[at + 1 :]
+    return not any(_keeps_running(later) and not _is_short(later) for later in after)
+
+
 def _only_waits(after: Sequence[Step]) -> bool:
     """Whether the shell ends when its job does: it waits for it, and does nothing else that takes its time."""
     names = [step.command.name for step in after if _keeps_running(step) and step.command.name not in _BUILTINS]
@@ -62,3 +74,11 @@ def _keeps_running(step: Step) -> bool:
     """Whether a later command may take its time: wait, a foreground program, a loop."""
     command = step.command
     return bool(command.words) and not command.background and command.name not in _PASSING
+
+
+def _is_short(step: Step) -> bool:
+    """Whether a command ends by itself; in a loop it may be repeated for ever."""
+    command = step.command
+    if command.depth or (command.name == "sleep" and not all(map(_LONGEST.fullmatch, command.words[1:]))):
+        return False
+    return command.name in SHORT or command.name in _BUILTINS or command.name in _FILES
