@@ -22,7 +22,7 @@ releases have changed, unless the tree is for a distribution that never got thes
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least three others of the block, and most of them. Also those that
 the file of a generate_parameter_library has not, in a block of the same name as its node. Both are an info where the
-tree has launch files and nothing names the parameter file.
+tree has launch files, nothing names the parameter file, and nothing puts such a name together or takes a whole folder.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
@@ -17,8 +18,13 @@ if TYPE_CHECKING:
 
 _MOST = 200_000
 """Characters of a page that are looked at."""
-_PUT_TOGETHER = regex(r"(?:\+\s{0,4}[\"'][\w.-]{0,40}|[})][\w.-]{0,40}|[\"'])\.ya?ml\b", hints=".yaml .yml")
-"""The end of a name whose stem is computed: ``robot + "_config.yaml"``, ``f"{robot}.yaml"``."""
+_PUT_TOGETHER = regex(
+    r"(?:\$\w{1,40}|%(?:\(\w{1,40}\))?[sd]|(?<![\w./-]))(?P<end>[\w.-]{0,80}\.ya?ml)\b", hints=".yaml .yml"
+)
+"""A name of a parameter file that does not follow a slash, and so may be the end of one: ``robot + "_config.yaml"``,
+``f"{robot}.yaml"``, ``"%s.yaml"``."""
+_LISTS = regex(r"\b(?:listdir|scandir|iterdir|r?glob|walk)\(", hints="listdir scandir iterdir glob walk")
+"""What takes all files of a folder."""
 _IMPORTED = regex(r"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
 
 
@@ -32,11 +38,34 @@ def severity_of_refusal(params: Params, file: ParameterFile) -> str | None:
 
 
 def is_left(params: Params, file: ParameterFile) -> bool:
-    """Whether the tree starts nodes, nothing of it names a file, and no launch file puts the name together."""
+    """Whether the tree starts nodes, nothing of it names a file, and nothing that may know its package puts the name
+    together or takes what is in a folder."""
+    return _is_unused(params, file) and not params.is_used(file) and not _may_be_composed(params, file)
+
+
+def _may_be_composed(params: Params, file: ParameterFile) -> bool:
     workspace = params.launch().workspace
     owner = workspace.owner(file.source)
-    beside = (each for each in params.files.of_kind(*LAUNCH) if owner is None or workspace.owner(each) is owner)
-    return _is_unused(params, file) and not any(each.matches(_PUT_TOGETHER) for each in beside)
+    name = file.source.basename
+    others = (each for each in params.files.sources if each is not file.source and each.kind not in BUILD)
+    askers = ((each, workspace.owner(each)) for each in others if params.files.purpose(each) is not Purpose.CI)
+    return any(
+        (owner is None or asker is None or asker is owner or owner.name in each.text)
+        and any(name.endswith(end) and name != end for end in _ends(each))
+        for each, asker in askers
+    )
+
+
+def _ends(source: Source) -> frozenset[str]:
+    """With what the names of parameter files may end that a text puts together; the ends of all of them where it takes
+    what is in a folder."""
+    return source.once(_PUT_TOGETHER, lambda: frozenset(_found_ends(source)))
+
+
+def _found_ends(source: Source) -> Iterator[str]:
+    if source.kind == "launch-python" and _LISTS.search(source.uncommented):
+        yield from (".yaml", ".yml")
+    yield from (match["end"] for match in _PUT_TOGETHER.finditer(source.uncommented))
 
 
 def _is_unused(params: Params, file: ParameterFile) -> bool:
