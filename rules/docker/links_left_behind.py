@@ -7,7 +7,8 @@
   stays.
 
 Silent where the stage replaces the links by files; info where a step makes the folder again, as a place at which
-sources are mounted, and the image names no program to start.
+sources are mounted, no image that is built on it names a program to start, and each service that runs one has a mount
+there.
 
 ## Why it matters on a robot
 `--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in
@@ -49,6 +50,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Volume
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
@@ -83,7 +85,7 @@ def links_left_behind(robot: Robot) -> Iterator[Finding]:
                 link = links[origin]
                 if link is not None and origin not in stage.chain:
                     yield from _of_copy(copy, link, brought)
-            yield from _of_removal(stage)
+            yield from _of_removal(robot, file, stage)
 
 
 def _origin(file: Dockerfile, copy: Instruction) -> Stage | None:
@@ -127,7 +129,7 @@ def _brought(copy: Instruction) -> list[str]:
     return words if any(flag.startswith("--from=") for flag in copy.flags) else []
 
 
-def _of_removal(stage: Stage) -> Iterator[Finding]:
+def _of_removal(robot: Robot, file: Dockerfile, stage: Stage) -> Iterator[Finding]:
     """The first removal of what the links of a workspace of the stage lead to."""
     may_remove = any(REMOVES.search(text) for each in stage.all("RUN") for text in each.scripts)
     link = _link(stage) if may_remove else None
@@ -139,7 +141,6 @@ def _of_removal(stage: Stage) -> Iterator[Finding]:
     removed = [(word, path) for command, folder in steps[last:] for word, path in _removed(command, folder)]
     gone = {path for _, path in removed}
     made = {_entered(folder, word) for command, folder in steps[last:] for word in _made(command)}
-    starts = stage.last("CMD") is not None or stage.last("ENTRYPOINT") is not None
     broken = [(word, path) for word, path in removed if _is_linked_to(path, built, gone)]
     for word, path in sorted(broken, key=lambda each: each[1] in made)[:1]:
         yield finding(
@@ -147,8 +148,23 @@ def _of_removal(stage: Stage) -> Iterator[Finding]:
             f"The links in install/ lead to {path}, which this step removes",
             advice="build without --symlink-install, or keep the folder",
             related=[note(link, "makes links instead of files")],
-            severity="info" if path in made and not starts else None,
+            severity="info" if path in made and _waits_for_mount(robot, file, stage, path) else None,
         )
+
+
+def _waits_for_mount(robot: Robot, file: Dockerfile, stage: Stage, path: str) -> bool:
+    """Whether nothing that the tree says of an image starts it without a mount on a folder or around it."""
+    above = [each for each in file.stages if stage in each.chain]
+    if any(each.last(name) is not None for each in above for name in ("CMD", "ENTRYPOINT")):
+        return False
+    services = (service for each in above for service in robot.compose.users(each))
+    return all(any(_brings(volume, path) for volume in service.volumes) for service in services)
+
+
+def _brings(volume: Volume, path: str) -> bool:
+    """Whether a volume is a folder of the host at a path, or around it."""
+    target = str(volume.target or "").rstrip("/")
+    return str(volume.source or "").startswith((".", "/", "~", "$")) and f"{path}/".startswith(f"{target}/")
 
 
 def _is_linked_to(path: str, built: set[str], gone: set[str]) -> bool:
