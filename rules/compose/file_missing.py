@@ -56,11 +56,13 @@ MOST = 200_000
 """Characters of a page that are read."""
 MADE = ("env_file", "mount", "mounted program")
 MAKE = regex(
-    r"\b(?:create|prepare|generate|write|make|download|touch)\b(?P<what>[^\n]{1,80})",
-    re.I,
-    "create prepare generate write make download touch",
+    r"(?:^|[.:;,$]|\b(?:and|then|please|to|must))[ \t]*(?:[-*+#>|]+[ \t]+|\d{1,2}[.)][ \t]+)?"
+    r"(?:create|prepare|generate|write|download|touch)"
+    r"(?:[ \t]+(?:an?|the|your|own|new|empty|executable|file|script|called|named)\b){0,6}"
+    r"[ \t]+(?:[`'\"*_]{1,3})?(?P<name>[\w./-]*\w)",
+    re.I | re.M,
+    "create prepare generate write download touch",
 )
-WORD = regex(r"[\w.][\w.-]*\w")
 
 
 @rule(
@@ -102,8 +104,8 @@ def _name(missing: MissingFile) -> str:
 
 def _names_to_make(robot: Robot) -> set[str]:
     """The names of files that pages tell whoever installs the robot to make."""
-    told = (match["what"] for text in robot.tree.pages(PAGE, MOST) for match in MAKE.finditer(text))
-    return {word for what in told for word in WORD.findall(what)}
+    told = (match["name"] for text in robot.tree.pages(PAGE, MOST) for match in MAKE.finditer(text))
+    return {posixpath.basename(name) for name in told}
 
 
 def _advice(robot: Robot, missing: MissingFile) -> str:

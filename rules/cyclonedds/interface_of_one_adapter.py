@@ -4,7 +4,8 @@
 A Cyclone DDS configuration whose only interface has the name of one adapter: `enx` and the twelve digits of its MAC
 address, as udev calls adapters on USB. Silent where netplan, NetworkManager, networkd or udev of the tree speak of the
 same adapter, where a condition of a script asks for it, and for a whole root file system, which is that of one robot.
-Info where a program of the tree writes the file, as one does that is given the interface on each machine.
+Info where a program of the tree writes this file with its interface, and does not name the adapter itself: it is given
+the interface on each machine.
 
 ## Why it matters on a robot
 Each adapter has another name. After the adapter is replaced, on the next robot, and in the container that runs on the
@@ -44,7 +45,8 @@ ADAPTER = regex(r"enx[0-9a-f]{12}$")
 PROGRAM = regex(r"\.(?:py|sh|bash)$|(?:^|/)(?:Makefile|[Jj]ustfile)$")
 MOST = 100_000
 """Characters of a program that are read."""
-WRITES = regex(r"\bopen\([^()\n]{1,120},[^()\n]{0,40}[\"']w|\.write_text\(|>[ \t]*[\"']?\S*\.xml|\bsed[ \t]+-i")
+REDIRECTS = r"(?<![-=/\"\w])>|\btee\b|\bsed[ \t]+-\w{0,5}i(?:(?!;[ \t]|&&)[^\n]){1,120}[ \t]"
+"""What stands before the name of a file that a shell writes."""
 NETWORK = ("netplan", "cloud-init-network", "networkd", "networkmanager", "udev-rules")
 
 
@@ -66,13 +68,31 @@ def interface_of_one_adapter(robot: Robot) -> Iterator[Finding]:
             advice="give address= and the fixed address of the robot, or name the adapter in a .link file",
             related=[note(each.value, "here, too") for each in others],
             chain=robot.provenance.chain_to(first.value, f"DDS uses {name}"),
-            severity="info" if _is_written_anew(robot, first.value.span.source.basename) else None,
+            severity="info" if _is_written_anew(robot, first.value.span.source.basename, name) else None,
         )
 
 
-def _is_written_anew(robot: Robot, name: str) -> bool:
-    """Whether a program of the tree names the file and writes files: what is checked in is what it once wrote."""
-    return any(name in text and WRITES.search(text) for text in robot.tree.pages(PROGRAM, MOST))
+def _is_written_anew(robot: Robot, file: str, adapter: str) -> bool:
+    """Whether a program of the tree writes the file with another interface: what is checked in is what it once
+    wrote."""
+    texts = (text for text in robot.tree.pages(PROGRAM, MOST) if file in text and "NetworkInterface" in text)
+    return any(_writes(text, file) for text in texts if adapter not in text)
+
+
+def _writes(text: str, file: str) -> bool:
+    """Whether a program opens a file for writing, by its name or by the variable that holds it."""
+    name = re.escape(file)
+    held = re.findall(rf"^[ \t]*(?:export[ \t]+)?(\w+)[ \t]*=[^\n]{{0,120}}\b{name}\b", text, re.M)
+    called = "|".join([rf"[\w./$\{{}}~-]*\b{name}\b", *(rf"\$?\{{?{variable}\b\}}?" for variable in held)])
+    return (
+        re.search(
+            rf"\bopen\([^()\n]{{0,80}}(?<!\w)(?:{called})[\"']?,[ \t]*(?:mode=)?[\"']w"
+            rf"|(?<!\w)(?:{called})[\"']?\)?\.write_text\("
+            rf"|(?:{REDIRECTS})[ \t]*[\"']?(?:{called})(?![\w.])",
+            text,
+        )
+        is not None
+    )
 
 
 def _is_spoken_of(robot: Robot, name: str) -> bool:
