@@ -6,7 +6,9 @@ from __future__ import annotations
 from bringup_lint.pattern import regex
 
 HOLDS = regex(r"(?i)(?<![a-z0-9_])(?:f|fr|rf)[\"']")
-_START = regex(r"(?i)#[^\n]*|(?<![a-z0-9_])(?P<prefix>[bfru]{0,2})(?P<quote>\"\"\"|'''|\"|')")
+_QUOTED = r"(?<![a-z0-9_])(?P<prefix>[bfru]{0,2})(?P<quote>\"\"\"|'''|\"|')"
+_STRING = regex("(?i)" + _QUOTED)
+_START = regex(r"(?i)#[^\n]*|" + _QUOTED)
 _OTHER = {'"': "'", "'": '"'}
 _MOST = 10
 """Levels of f-strings in each other."""
@@ -48,16 +50,22 @@ class _Writer:
 
     def _filled(self, quote: str, at: int, level: int) -> int:
         """Where an expression ends that an f-string fills in."""
-        text, depth = self._text, 0
+        text, depth, is_format = self._text, 0, False
         while at < len(text):
-            start = _START.match(text, at)
-            if start is not None and start["quote"] is not None:
+            letter = text[at]
+            if letter == "#" and not is_format:
+                end = text.find("\n", at)
+                at = len(text) if end < 0 else end
+                continue
+            start = _STRING.match(text, at) if depth or not is_format else None
+            if start is not None:
                 at = self.string(start["prefix"], start["quote"], start.end(), quote, level)
                 continue
-            if text[at] == "}" and not depth:
+            if letter == "}" and not depth:
                 return at + 1
-            if text[at] == "\n" and len(quote) == 1:
+            if letter == "\n" and len(quote) == 1:
                 return at
-            depth += (text[at] in _OPENING) - (text[at] in _CLOSING)
+            depth += (letter in _OPENING) - (letter in _CLOSING)
+            is_format = is_format or (letter == ":" and not depth)
             at += 1
         return at

@@ -2,8 +2,7 @@
 
 ## What it finds
 A loop of a C++ source that calls `read()` for a serial port and, whether that returns 0 or -1, only logs and reads
-again: it does not wait, leave the loop, throw, count, or close the port. A flag that it sets counts as nothing where
-the source opens the port in one place alone and the condition of the loop does not ask for the flag.
+again: it does not wait, leave the loop, throw, count, set a flag, or close the port.
 
 ## Why it matters on a robot
 When the USB adapter is unplugged, or resets for a moment, `read()` returns 0 or -1 at once, each time. The loop takes a

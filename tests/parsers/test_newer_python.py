@@ -16,8 +16,10 @@ WRITTEN = {
     "f'{a!r}' + 'b'  # it's": "f'{a!r}' + 'b'  # it's",
     "'{' + f'\\'{b}'": "'{' + f'\\'{b}'",
     "f'{(lambda: {1})()}'": "f'{(lambda: {1})()}'",
+    "f'{a:#x} {', '.join(names)}'": "f'{a:#x} {\", \".join(names)}'",
+    "f\"{a:'>{w}} {d[\"k\"]}\"": "f\"{a:'>{w}} {d['k']}\"",
 }
-BROKEN = ["f'{", "f'{'", "f'{\n'", "f'a\n{b}'", "f'{'a", "f'" + "{f'" * 20, "'\\"]
+BROKEN = ["f'{", "f'{'", "f'{\n'", "f'a\n{b}'", "f'{'a", "f'" + "{f'" * 20, "'\\", "f'{###", "f'{a:{#"]
 
 
 @pytest.mark.parametrize(("new", "old"), WRITTEN.items())
@@ -29,6 +31,11 @@ def test_quotes(new: str, old: str) -> None:
 @pytest.mark.parametrize("text", BROKEN)
 def test_what_is_broken_keeps_its_length(text: str) -> None:
     assert len(as_older(text)) == len(text)
+
+
+def test_quotes_of_a_comment_are_none() -> None:
+    text = "f'''{a  # it's b\n} {d['k']}''' + f'{d['k']}'"
+    assert as_older(text) == text[:-6] + '"k"' + text[-3:]
 
 
 def test_a_file_of_a_newer_python_is_read() -> None:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import IdleRead
 from bringup_lint.model.cpp_text import blanked
-from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
@@ -27,10 +26,6 @@ _PASSIVE = regex(
 )
 """The beginnings of statements that alter nothing: logs, locks and empty buffers."""
 _WAITS = regex(r"(?i)sleep|wait|poll|select|spin|rate|yield|throttled_|open")
-_REOPENS = regex(r"(?i)re_?(?:open|connect)")
-_OPENS = regex(r"\bopen\s{0,4}\(")
-"""What may open the port again when a flag says that it is gone."""
-_FLAGS = ("true", "false")
 _FAILED = (0, -1)
 """What the read of a port that is gone returns."""
 _AGAIN = ("EAGAIN", "EWOULDBLOCK", "EINTR", "ETIMEDOUT")
@@ -55,8 +50,7 @@ def idle_reads(code: Code) -> Iterator[IdleRead]:
         if loop is None or code.text(call.arguments[0]) in _KEYBOARD:
             continue
         body = loop.child_by_field_name("body")
-        asked = _asked(code, loop)
-        if body is not None and all(_Turn(code, str(name), value, asked).idles(body) for value in _FAILED):
+        if body is not None and all(_Turn(code, str(name), value).idles(body) for value in _FAILED):
             whole = code.span(loop)
             head = code.source.span(whole.start, code.span(body).start)
             yield IdleRead(code.span(call.node), head)
@@ -83,22 +77,13 @@ def _loop(code: Code, call: Call) -> Node | None:
     return None
 
 
-def _asked(code: Code, loop: Node) -> str | None:
-    """The condition of a loop; None where a flag may have the port opened again, or who opens it is not seen."""
-    plain = plain_of(code.source)
-    if _REOPENS.search(plain) or len(_OPENS.findall(plain)) != 1:
-        return None
-    return code.text(loop.child_by_field_name("condition"))
-
-
 class _Turn:
     """One turn of a loop in which the read returns a value."""
 
-    def __init__(self, code: Code, name: str, value: int, asked: str | None) -> None:
+    def __init__(self, code: Code, name: str, value: int) -> None:
         self._code = code
         self._name = name
         self._value = value
-        self._asked = asked
         self._is_over = False
 
     def idles(self, body: Node) -> bool:
@@ -129,8 +114,7 @@ class _Turn:
         ways = [[then] if then is not None else []] * (holds is not False) + [inside] * (holds is not True)
         if len(ways) == 1:
             return all(self.idles(each) for each in ways[0])
-        turns = ((_Turn(self._code, self._name, self._value, self._asked), each) for way in ways for each in way)
-        return all(turn.idles(each) for turn, each in turns)
+        return all(_Turn(self._code, self._name, self._value).idles(each) for way in ways for each in way)
 
     def _is_plain(self, statement: Node) -> bool:
         return not _WAITS.search(blanked(self._code.text(statement)))
@@ -140,14 +124,7 @@ class _Turn:
         inner = statement.named_children[0] if statement.named_child_count else None
         is_read = inner is not None and inner.type == "assignment_expression" and text.startswith(self._name)
         call = self._code.call(inner) if inner is not None and inner.type == "call_expression" else None
-        return is_read or self._is_flag(inner) or bool(_PASSIVE.match(call.name if call is not None else text))
-
-    def _is_flag(self, node: Node | None) -> bool:
-        """Whether a statement only notes that the port is gone, where nothing opens it again and the loop goes on."""
-        if self._asked is None or node is None or node.type != "assignment_expression":
-            return False
-        left, right = (self._code.text(node.child_by_field_name(side)) for side in ("left", "right"))
-        return right in _FLAGS and left.rpartition(".")[2].rpartition(">")[2] not in self._asked
+        return is_read or bool(_PASSIVE.match(call.name if call is not None else text))
 
     def _holds(self, node: Node | None) -> bool | None:
         """Whether a condition holds; None when that is not known."""
