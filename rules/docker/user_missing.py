@@ -2,11 +2,12 @@
 
 ## What it finds
 A name in `USER` of a Dockerfile, in `user:` of a compose service and in `remoteUser` or `containerUser` of a
-`devcontainer.json`, where the image builds on an official one of Ubuntu, Debian, ROS or CUDA and no step makes a user
-of this name.
+`devcontainer.json`, where the Dockerfile names an official image of Ubuntu, Debian, ROS or CUDA in plain words, and
+its steps only do what certainly makes no user: they build, and install packages of ROS, of Python and a few tools.
 
-Silent for numbers and variables, where a step or a file that it copies has the name, where a user is made whose name
-is a variable, where a step runs a script, and where a development container has features or its own `/etc/passwd`.
+Silent for numbers and variables, where a step has the name, where one runs any other program or copies files to `/` or
+`/etc`, where compose gives a service `configs`, `secrets` or files of `/etc`, or a build `additional_contexts`, and
+where a development container has features or its own `/etc`.
 
 ## Why it matters on a robot
 Docker looks the name up in `/etc/passwd` of the image. It is not there: the next step of the build fails, the
@@ -47,7 +48,7 @@ from bringup_lint.api.docker import missing_users
 EFFECTS = {"dockerfile": "the image cannot be built or run", "compose": "the container does not start"}
 
 
-@rule("error", symptoms=["unable to find user *: no matching entries in passwd file"])
+@rule("warning", symptoms=["unable to find user *: no matching entries in passwd file"])
 def user_missing(robot: Robot) -> Iterator[Finding]:
     for missing in missing_users(robot.files, robot.compose):
         kind = missing.where.span.source.kind
@@ -59,5 +60,4 @@ def user_missing(robot: Robot) -> Iterator[Finding]:
             related=[]
             if missing.image is None
             else [note(missing.image, "has no such user, nor do the steps make it")],
-            severity=None if kind in EFFECTS else "warning",
         )

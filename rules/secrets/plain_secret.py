@@ -8,8 +8,9 @@ literals of letters and digits with such a name are checked too. So are the pass
 NetworkManager, those that a script gives to `sshpass`, `x11vnc`, `nmcli`, `openssl` or with `expect`, and those that a
 Dockerfile gives to users where the image lets somebody log in.
 
-Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files that
-only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one in a
+Not reported: variables, paths of credential files, placeholders such as `<your-password>`, environment files that only
+root and a group can read, answers to a question of a program such as `yes`, and the password of a key that the same
+script writes anew without one. A weak or well-known value, a wireless password that is the robot's name, and one in a
 comment, is a warning, and so is a password that the defaults of an Ansible role give to robots whose inventory has
 none. It is info for a sample value, the name of the user as the password of another machine, a well-known password that
 is called `INITIAL_` in a tree whose program asks for another at the first login, and a password of an Ansible inventory

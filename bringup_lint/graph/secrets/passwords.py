@@ -50,8 +50,10 @@ _ACCOUNTS = (
     ),
 )
 """Commands that set the password of a user."""
-_ANSWER = r"\b(?P<program>expect)[ \t][^\n]{0,200}[Pp]assword[^\n]{0,100}\n[ \t]*send[ \t]+(?:--[ \t]+)?\\?[\"']"
-"""What a script of expect sends when it is asked for a password."""
+_ANSWER = r"\b(?P<program>expect)[ \t][^\n]{0,200}[Pp]assword[^\n?]{0,100}\n[ \t]*send[ \t]+(?:--[ \t]+)?\\?[\"']"
+"""What a script of expect sends when it is asked for a password, and not whether it wants to change one."""
+_REPLY = r"(?i:y|n|yes|no|exit|quit)"
+"""What answers a question, or ends a program."""
 _PROGRAMS = (
     regex(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])", 0, "sshpass"),
     regex(
@@ -69,7 +71,7 @@ _PROGRAMS = (
         + r"(?P=quote)(?=\s|$)",
         hints="openssl",
     ),
-    regex(_ANSWER + _SECRET + r"\\{1,2}[nr]", hints="expect"),
+    regex(_ANSWER + rf"(?!{_REPLY}\\)" + _SECRET + r"\\{1,2}[nr]", hints="expect"),
 )
 """Commands that are given a password."""
 _BY_VARIABLE = regex(
@@ -80,6 +82,17 @@ _BY_VARIABLE = regex(
 )
 """Commands that are given a password by a variable."""
 _ANSWER_BY_VARIABLE = regex(_ANSWER + r"\$\{?(?P<variable>\w{1,60})\}?\\{1,2}[nr]", hints="expect")
+_SET = regex(r"(?<![\w$])(?P<name>\w{1,60})(?P<more>\+?)=")
+_VALUE = regex(rf"(?P<quote>[\"']?)(?!{_REPLY}(?:[\"' \t;]|$)){_SECRET}(?P=quote)(?=[ \t;]|$)", re.M)
+_READ = regex(r"\bread\b(?P<names>[^\n]{0,160})", hints="read")
+_NAME = regex(r"\w+")
+_SHEDS = regex(
+    r"\bopenssl[ \t]+(?:rsa|ec|pkey)[ \t](?P<options>(?:\\\r?\n|[^\n|;&]){0,600})",
+    hints="openssl",
+)
+"""Writes a key anew; without one of the following, without a password."""
+_KEEPS = regex(r"[ \t]-(?:passout|aes\w*|des\w*|camellia\w*|aria\w*|pubout|noout)\b")
+_PASSED = regex(r"-passin[ \t]+[\"']?pass:(?P<value>[^\s\"']{1,100})")
 _REMOTE_LOGIN = regex(
     r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b", hints="sshd openssh-server xrdp vnc"
 )
@@ -142,17 +155,32 @@ def given_to_programs(files: Files) -> Iterator[Password]:
 
 def _by_variables(source: Source) -> Iterator[Password]:
     """The passwords that a script holds in variables of one literal value each."""
-    uses = (use for pattern in (_BY_VARIABLE, _ANSWER_BY_VARIABLE) for use in pattern.finditer(source.text))
+    uses = [use for pattern in (_BY_VARIABLE, _ANSWER_BY_VARIABLE) for use in pattern.finditer(source.text)]
+    values = _literals(source) if uses else {}
     for use in uses:
-        name = re.escape(use["variable"])
-        assigned = list(
-            re.finditer(rf"(?<![\w$]){name}=(?P<quote>[\"']?){_SECRET}?(?P=quote)(?=[ \t;]|$)", source.text, re.M)
-        )
-        elsewhere = re.search(rf"\bread\b[^\n]{{0,100}}\b{name}\b", source.text)
-        sets = re.findall(rf"(?<![\w$]){name}\+?=", source.text)
-        if len(assigned) == len(sets) == 1 and assigned[0]["value"] and not elsewhere:
-            value = source.located(*assigned[0].span("value"))
+        value = values.get(use["variable"])
+        if value is not None:
             yield Password(f"The password given to {use['program']}", value)
+
+
+def _literals(source: Source) -> dict[str, Located]:
+    """The variables of a script that are set once, to a literal value, and that it does not ask for."""
+    sets: dict[str, list[re.Match[str]]] = {}
+    for match in _SET.finditer(source.text):
+        sets.setdefault(match["name"], []).append(match)
+    asked = {name for match in _READ.finditer(source.text) for name in _NAME.findall(match["names"])}
+    found: dict[str, Located] = {}
+    for name, (first, *others) in sets.items():
+        value = None if others or first["more"] or name in asked else _VALUE.match(source.text, first.end())
+        if value is not None:
+            found[name] = source.located(*value.span("value"))
+    return found
+
+
+def _shed(source: Source) -> frozenset[str]:
+    """The passwords of keys that a script writes anew without a password: they protect nothing."""
+    options = (match["options"] for match in _SHEDS.finditer(source.text))
+    return frozenset(each["value"] for text in options if not _KEEPS.search(text) for each in _PASSED.finditer(text))
 
 
 def in_images(files: Files) -> Iterator[Password]:
@@ -166,8 +194,9 @@ def _matches(sources: Iterable[Source], patterns: Iterable[re.Pattern[str]]) -> 
     for source in sources:
         if not source.judged or source.template:
             continue
+        shed = _shed(source)
         for match in (match for pattern in patterns for match in pattern.finditer(source.text)):
-            if not _is_comment(source.text, match.start()):
+            if not _is_comment(source.text, match.start()) and match["value"] not in shed:
                 yield _password(source, match)
 
 
