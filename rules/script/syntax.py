@@ -3,8 +3,9 @@
 ## What it finds
 Scripts for bash and sh with a quote, backtick or bracket that is not closed, an `if`, `for`, `while`, `case` or `{`
 without its end, and a `then`, `else`, `fi`, `do`, `done`, `esac`, `;;` or bracket that does not fit its place. Also
-aliases with a quote or bracket that is not closed, and three backticks of Markdown in the place of a command. Not
-reported: templates, scripts with carriage returns, and places that an option of the shell may decide, as `extglob`.
+aliases with a quote or bracket that is not closed, and three backticks of Markdown in the place of a command, where
+no `exit`, `kill` or `exec` of a program is before them. Not reported: templates, scripts with carriage returns, and
+places that an option of the shell may decide, as `extglob`.
 
 ## Why it matters on a robot
 The shell reads a command, runs it, and reads the next. What comes before the mistake is done, and the mistake and all
@@ -44,6 +45,7 @@ SHELL = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(?:ba|da)?sh\b|(?!#!)")
 OTHER = regex(r"\.(?:zsh|fish|csh|ksh)$|\bextglob\b")
 ALIAS = regex(r"^[ \t]*alias[ \t]+(?P<name>[\w-]{1,60})='(?P<body>[^'\n]{0,2000})'[ \t]*$", re.M, "alias")
 FENCE = "```"
+LEAVES = ("exit", "kill")
 CLOSING = {"`": "`", "'": "'", '"': '"', "$'": "'", "(": ")", "$(": ")", "<(": ")", ">(": ")", "${": "}", "[[": "]]"}
 
 
@@ -91,9 +93,13 @@ def _of_fences(source: Source) -> Iterator[Finding]:
     """The first of the backticks that a text with a script in it has around that."""
     if FENCE not in source.text:
         return
-    words = (command.words[0] for command in shell_commands(source) if command.words)
-    first = next((word for word in words if word.span.text.startswith(FENCE)), None)
-    if first is not None:
+    commands = [command for command in shell_commands(source) if command.words]
+    first = next((each.words[0] for each in commands if each.words[0].span.text.startswith(FENCE)), None)
+    if first is not None and not any(
+        command.name in LEAVES or (command.name == "exec" and len(command.words) > 1)
+        for command in commands
+        if command.words[0].span.start < first.span.start
+    ):
         yield finding(
             first,
             "These backticks are of Markdown: the shell takes the text from here on for commands",
