@@ -6,8 +6,8 @@
 only a request and is not reported.
 - **error**: a sysctl file sets the limit, or the tree is a complete root file system.
 - **warning**: no file of the tree sets the limit, so the kernel's default of 212992 is assumed. So it is where scripts
-  that nothing starts only set it with `sysctl -w`, until the next boot. It is information where another script, an
-  image, a playbook or a unit of the tree names the limit.
+  that no other file or page names, and that start nothing themselves, only set it with `sysctl -w`, until the next
+  boot. It is information where another script, an image, a playbook or a unit of the tree names the limit.
 
 ## Why it matters on a robot
 The library reports `failed to increase socket receive buffer size` and creates no participant: no ROS node
@@ -58,6 +58,8 @@ WRITING = ("shell-script", "dockerfile", "compose", "ansible", "cloud-init", "sy
 """Kinds of files that may raise a limit, or have it raised."""
 KEPT = regex(r"sysctl\.(?:conf|d)\b|sysctl[ \t]+(?:-p|--system|--load)", hints="sysctl")
 """A script that has a limit set at each boot."""
+STARTS = regex(r"\bros2\b|\b(?:docker|podman|exec|eval|source)\b|launch|\.(?:ba)?sh\b|\$@|\$\*")
+"""A script that may start the nodes, or something that does."""
 
 
 class Raised(NamedTuple):
@@ -126,8 +128,10 @@ def _raised(robot: Robot, name: str) -> Raised:
 
 
 def _is_lost(robot: Robot, source: Source) -> bool:
-    """Whether a script changes the running kernel alone, and people start it."""
-    return not KEPT.search(source.said) and not robot.scripts.starts_by_itself(source)
+    """Whether a script changes the running kernel alone, and people start it by itself."""
+    if KEPT.search(source.said) or STARTS.search(source.said):
+        return False
+    return not robot.scripts.starts_by_itself(source) and not robot.scripts.is_named(source)
 
 
 def _limit(limit: KernelParameter | None) -> list[Related]:
