@@ -3,7 +3,9 @@
 ## What it finds
 `ln -s` without `-f`, `-b` or a backup suffix whose name is that of a file that every Debian and Ubuntu has:
 `/etc/resolv.conf`, `/etc/localtime`, `/etc/hosts`, `/etc/hostname`, `/etc/fstab`, `/bin/sh`. Silent where the script
-removes, moves or looks for this file, where the failure is handled, and in scripts that build an image.
+removes or moves any file, names this one a second time or works in another root, where a variable has the name, where
+the failure is handled, and in scripts that build an image; for `/etc/localtime` in all trees with images, which may
+have no tzdata.
 
 ## Why it matters on a robot
 ln says "File exists", and changes nothing. The robot keeps the file of before: the name servers of the workshop, or the
@@ -27,7 +29,6 @@ When another program has removed the file before.
 """
 
 import posixpath
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,10 +41,14 @@ from bringup_lint.api.shell import Run
 
 THERE = ("/etc/resolv.conf", "/etc/localtime", "/etc/hosts", "/etc/hostname", "/etc/fstab", "/bin/sh", "/usr/bin/sh")
 REPLACES = regex(r"-[a-zA-Z]*[fbiS][a-zA-Z]*|--(?:force|backup|interactive|suffix).*")
+ZONE = "/etc/localtime"
+"""Of the package tzdata, which images of containers lack."""
 PAIR = 2
 """What a link leads to, and its name."""
-HANDLES = r"(?:\b(?:rm|mv|unlink)\b[^\n;&|]{0,200}|-[efhLs][ \t]+[\"']?|\b(?:test|readlink|stat)\b[^\n;&|]{0,80})"
-"""What may make room for a file, or ask for it, before its name."""
+MAKES_ROOM = regex(
+    r"\b(?:rm|mv|unlink|rename|dpkg-divert|purge|remove|debootstrap|mmdebstrap|(?:arch-)?chroot|nspawn|nsenter)\b|-delete\b"
+)
+"""What may have taken a file away before, or have another root."""
 
 
 @rule("warning", symptoms=["ln: failed to create symbolic link '*': File exists"])
@@ -55,7 +60,7 @@ def link_refused(robot: Robot) -> Iterator[Finding]:
         target, name = paths
         path = run.text(name)
         path = posixpath.join(path, posixpath.basename(run.text(target))) if path.endswith("/") else path
-        if path in THERE and not _is_handled(source, path) and not robot.scripts.is_for_image(source):
+        if path in THERE and not _is_handled(robot, source, name, path) and not robot.scripts.is_for_image(source):
             yield finding(
                 name,
                 f"Every robot has {path}: ln says 'File exists', and changes nothing",
@@ -71,5 +76,8 @@ def _is_plain_link(run: Run) -> bool:
     return any("s" in word for word in options)
 
 
-def _is_handled(source: Source, path: str) -> bool:
-    return re.search(rf"{HANDLES}{re.escape(path)}", source.said) is not None
+def _is_handled(robot: Robot, source: Source, name: str, path: str) -> bool:
+    """Whether the file may be none there, or the script may know of it."""
+    if "$" in name or source.says(MAKES_ROOM) or source.said.count(path) > 1:
+        return True
+    return path == ZONE and bool(robot.of_kind("dockerfile"))
