@@ -5,7 +5,7 @@
 - whose result the same file asks for: `result is failed`, `result is succeeded`, `result.failed`, or
   `selectattr('failed')` of its `results`, also in the task's own `until`;
 - that installs packages with `apt`, `package`, `dnf`, `pip`, `snap`, `apt_repository` or `deb822_repository`, and whose
-  result nobody looks at, but for whether it is changed.
+  result no playbook, variable or template of the tree names, but for whether it is changed.
 
 Silent where two tasks register the same name, for packages that are removed, and for trial runs (`check_mode`).
 
@@ -73,6 +73,9 @@ EXPRESSIONS = regex(
     r"|[ \t]*-[ \t]{1,9}(?![ \t]|[\w.]{1,60}:)"
 )
 """The start of a line, up to a question in Jinja."""
+NAMING = regex(r"\.(?:ya?ml|j2|jinja2?)$|/templates/")
+"""Files that may look at a result."""
+READ = 200_000
 INSTALLERS = frozenset("apt package dnf pip snap apt_repository deb822_repository".split())
 NAMED = ("name", "pkg", "package", "deb", "repo", "uris", "requirements")
 """What is to be installed: without any, the module only renews its lists."""
@@ -89,12 +92,13 @@ def failure_suppressed(robot: Robot) -> Iterator[Finding]:
 
 
 def _shared(robot: Robot, sources: list[Source]) -> set[str]:
-    """The results of installing tasks that files with further tasks register, and that another file names too."""
-    going_on = (source for source in sources if any(task.includes for task in tasks(source)))
-    names = {_registered(task) for source in going_on for task in tasks(source) if _installer(task) is not None} - {""}
+    """The results of installing tasks that more than one file names, be it a template or defaults."""
+    suppressed = (task for source in sources for task in tasks(source) if _never_fails(task) is not None)
+    names = {_registered(task) for task in suppressed if _installer(task) is not None} - {""}
     if not names:
         return set()
-    said = Counter(name for each in robot.of_kind("ansible") for name in names.intersection(WORD.findall(each.said)))
+    texts = (robot.tree.start(path, READ) for path in robot.tree.paths if NAMING.search(path))
+    said = Counter(name for text in texts for name in names.intersection(WORD.findall(text)))
     return {name for name, count in said.items() if count > 1}
 
 
