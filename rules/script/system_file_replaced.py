@@ -5,7 +5,7 @@
 `/etc/ssh/sshd_config`, `/etc/NetworkManager/NetworkManager.conf`, `/etc/passwd`, `/etc/group`, `/etc/modules`,
 `/etc/default/grub`, `/etc/bash.bashrc`. In Debian and Ubuntu, `/etc/sysctl.conf` and `/etc/modules` hold comments
 only: an info, unless another script of the tree writes to the same file. Also `cp` or `install` of a file of the tree
-over `/etc/sudoers` in a script that never calls `visudo`.
+over `/etc/sudoers` in a tree where no file names `visudo`.
 
 ## Why it matters on a robot
 Everything that the distribution, another script or the administrator had set in the file is gone, and an update of the
@@ -55,6 +55,10 @@ EMPTY = ("/etc/sysctl.conf", "/etc/modules")
 """Those of them that have nothing but comments (packages procps and kmod)."""
 SUDOERS = "/etc/sudoers"
 CHECK = "visudo"
+READ = 200_000
+"""How much of a file is searched for it."""
+KEEPS = frozenset(("-n", "--no-clobber"))
+"""Options of cp that leave a file as it is."""
 PAIR = 2
 """Of what is copied, and where to."""
 FEW = 3
@@ -78,14 +82,16 @@ def system_file_replaced(robot: Robot) -> Iterator[Finding]:
                 confidence=None if written.certain else "medium",
                 severity="info" if written.path in EMPTY and len(writers[written.path]) == 1 else None,
             )
-    yield from _copied(robot)
+    copied = list(_copied(robot))
+    if copied and not any(CHECK in robot.tree.start(path, READ) for path in robot.tree.paths):
+        yield from copied
 
 
 def _copied(robot: Robot) -> Iterator[Finding]:
     """The copies over the file of sudo, which nobody can mend as soon as it has a mistake."""
     for source, run in robot.scripts.run("cp", "install"):
         paths = [word for word in run.words[1:] if not word.startswith("-")]
-        if len(paths) < PAIR or CHECK in source.said:
+        if len(paths) < PAIR or KEEPS.intersection(run.words):
             continue
         given, to = paths[-PAIR:]
         name, target = posixpath.basename(run.text(given)), run.text(to).rstrip("/")
