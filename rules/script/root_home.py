@@ -132,8 +132,9 @@ def _is_root(source: Source, did: list[Run | Written]) -> bool:
 def _is_called_with_sudo(source: Source) -> bool:
     """Whether a comment of the script, or the usage that it prints, says that it is called so."""
     name = rf"(?:{re.escape(source.basename)}|\$0)"
-    called = rf"[^\n]{{0,80}}\bsudo[ \t]+(?:bash[ \t]+)?\S{{0,60}}{name}(?![^\s\"'])"
-    return re.search(rf"^(?:#|[^\n]{{0,60}}\b[Uu]sage:){called}", source.text, re.M) is not None
+    command = rf"sudo[ \t]+(?:bash[ \t]+)?\S{{0,60}}{name}(?![^\s\"'])"
+    called = rf"[^\n]{{0,80}}\b{command}"
+    return re.search(rf"^(?:#{called}|[^\n]{{0,60}}\b[Uu]sage:[ \t]*{command})", source.text, re.M) is not None
 
 
 def _is_etc(run: Run) -> bool:
