@@ -35,6 +35,7 @@ When the last build that succeeded is what is to be started.
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -44,9 +45,13 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import STRICT
+from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import shell_blocks
 
 LOOKS = regex(STRICT + r"|\btrap [^\n]{0,200}\bERR\b|\$\?|\bPIPESTATUS\b", re.M)
+OF_SH = regex(r"#![ \t]*\S*/(?:env[ \t]+)?(?:da)?sh\b")
+"""A shell that may know no pipefail, and then ends."""
 CONDITION = regex(r"\b(?:if|elif|while|until)\b[^;\n]{0,200}$|![ \t]*$")
 
 
@@ -71,7 +76,7 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.words[0],
             f"A build that fails is ignored: {what}",
-            advice="write '|| exit 1' after the build",
+            advice=_advice(first),
             related=[
                 *(
                     note(run.words[0], "a folder that is not there is ignored too")
@@ -81,6 +86,50 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
                 follows,
             ],
         )
+
+
+def _advice(build: Run) -> str:
+    """What ends the script with the build: in a pipe, the last command has the status, and exit leaves no more than the
+    shell that it is in."""
+    source = build.words[0].span.source
+    around = _around(shell_blocks(source), build.words[0].span.start)
+    is_piped = build.command.ends == "|"
+    places = ["the pipe" if is_piped else "the build"]
+    if build.shell:
+        places.append(f"the text of {build.shell} -c")
+    for block in around:
+        if block.ends == "|":
+            is_piped = True
+            places.append("the pipe")
+        elif block.kind == "group" and _is_subshell(block):
+            places.append("the subshell")
+    after = " and after ".join(dict.fromkeys(places))
+    if not is_piped:
+        return f"write '|| exit 1' after {after}"
+    bash = "run the script with bash, write" if OF_SH.match(source.text) else "write"
+    return f"{bash} 'set -o pipefail' before the build, and '|| exit 1' after {after}"
+
+
+def _around(blocks: Iterable[Block], at: int) -> list[Block]:
+    """The compound commands around a place of a script, the innermost first."""
+    for block in blocks:
+        for body in (block.condition, *block.bodies):
+            found = _around(body, at)
+            if found or any(_starts_at(each, at) for each in body):
+                return [*found, block]
+    return []
+
+
+def _starts_at(block: Block, at: int) -> bool:
+    command = block.command
+    return command is not None and any(word.span.start == at for word in command.words)
+
+
+def _is_subshell(group: Block) -> bool:
+    """Whether a group is in brackets, and not in braces."""
+    first = group.bodies[0][0].command
+    words = (*first.assignments, *first.words) if first is not None else ()
+    return any(word.span.source.text[: word.span.start].rstrip().endswith("(") for word in words[:1])
 
 
 def _builds_more(first: Run, run: Run) -> bool:

@@ -59,6 +59,20 @@ def test_a_script_that_ends_at_once_must_wait_before_another_killmode() -> None:
     assert {each["advice"] for each in findings("systemd/kill-mode", "bad_lasting")} == {"set KillMode=mixed"}
 
 
+def test_a_build_in_a_pipe_or_subshell_must_end_the_script_too() -> None:
+    found = {each["location"]["path"]: each["advice"] for each in findings("script/build-unchecked", "bad_inside")}
+    pipe = "write 'set -o pipefail' before the build, and '|| exit 1' after the "
+    assert found == {
+        "braces.sh": "write '|| exit 1' after the build",
+        "both.sh": f"{pipe}pipe and after the subshell",
+        "dash.sh": f"run the script with bash, {pipe}pipe",
+        "group.sh": f"{pipe}build and after the pipe",
+        "nested.sh": "write '|| exit 1' after the build and after the subshell",
+        "subshell.sh": "write '|| exit 1' after the build and after the subshell",
+        "text.sh": "write '|| exit 1' after the build and after the text of bash -c",
+    }
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [
