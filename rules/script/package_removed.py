@@ -72,8 +72,8 @@ OLD_DEBIAN = regex(
     hints="buster stretch jessie wheezy debian raspb",
 )
 """The releases of Debian that may have what no supported Ubuntu has, and no supported Debian."""
-DEBIAN = {"20.04": "11", "22.04": "12"}
-"""The releases of Debian, and so of Raspberry Pi OS, that lack what these of Ubuntu dropped."""
+NOR_DEBIAN = ", and no supported Debian (12 or later) has it"
+"""Of what all supported releases of Ubuntu lack; which older Debian, and so Raspberry Pi OS, has it differs."""
 PAGE = regex(r"(?:^|/)README[^/]*$")
 MOST = 200_000
 
@@ -103,10 +103,10 @@ def _findings(robot: Robot, words: Iterable[Located], codename: str, related: li
     gone = [(word, found) for word in words if (found := removed_package(str(word), codename)) is not None]
     if gone:
         (word, (since, instead)), *others = sorted(gone, key=lambda each: each[1][0])
-        releases = f"Ubuntu {since}" if codename else f"Ubuntu {since} and Debian {DEBIAN[since]}"
+        none = f"From Ubuntu {since} on there is no {word}{'' if codename else NOR_DEBIAN}"
         yield finding(
             word,
-            f"From {releases} on there is no {word}: apt installs none of the packages that are named with it",
+            f"{none}: apt installs none of the packages that are named with it",
             advice=f"install {instead}" if instead else "leave it out",
             severity=None if codename else "info" if _may_be_old_debian(robot) else "warning",
             related=[*related, *(note(other, f"nor {other}, from {when} on") for other, (when, _) in others)],

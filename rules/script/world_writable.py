@@ -42,6 +42,7 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import FileMode
 from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import file_modes
 
@@ -58,16 +59,20 @@ NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker
 
 
 MODE = regex(r"(?:--mode=|-[a-zA-Z]*m)(?P<mode>\S*)")
-INSTEAD = {
-    "file": "mode 664 or 640",
-    "folder": "mode 2775 or 750",
-    "file or folder": "chmod g+w,o-w",
-    "files": "chmod -R u+rwX,g+rwX,o-w",
+KINDS = {
+    "file": ("file", "mode 664 or 640"),
+    "program": ("file", "mode 775, or 664 if nobody runs it"),
+    "changed": ("file", "mode g+w,o-w"),
+    "folder": ("folder", "mode 2775 or 750"),
+    "file or folder": ("file or folder", "chmod g+w,o-w"),
+    "files": ("files", "chmod -R u+rwX,g+rwX,o-w"),
+    "files of a task": ("files", "mode u=rwX,g=rwX,o=rX"),
 }
-"""The modes that are enough for a group."""
-OF_FILE = regex(r"[0-7]*[0246]")
-"""A folder with such a mode cannot be entered."""
+"""What is opened, and the modes that are enough for a group."""
+OF_FILE = regex(r"[0246]+")
+"""A folder with such a mode cannot be entered, and a program not be run."""
 DATA = regex(r"/\.?[\w-]*\.(?:ya?ml|json|xml|conf|cfg|ini|env|txt|rules|service|list)$|/\.env$|^\.env$|/id_\w+$")
+YES = ("true", "yes", "on", "1")
 RECURSIVE = regex(r"-\w*R\w*|--recursive")
 DEEPEST = 64
 """Folders above a path that are looked at."""
@@ -91,11 +96,12 @@ def world_writable(robot: Robot) -> Iterator[Finding]:
                 yield _of(where, mode, path, what, None)
 
 
-def _of(where: Located, mode: str, path: str, what: str, confidence: str | None) -> Finding:
+def _of(where: Located, mode: str, path: str, kind: str, confidence: str | None) -> Finding:
+    what, instead = KINDS[kind]
     return finding(
         where,
         f"{mode} lets every user and every service of the robot change {path}",
-        advice=f"give the {what} to a group that needs {'them' if what == 'files' else 'it'}, with {INSTEAD[what]}",
+        advice=f"give the {what} to a group that needs {'them' if what == 'files' else 'it'}, with {instead}",
         confidence=confidence,
     )
 
@@ -103,12 +109,18 @@ def _of(where: Located, mode: str, path: str, what: str, confidence: str | None)
 def _kind(run: Run, mode: str, path: str) -> str:
     """What a command opens: a folder and a program are of no use without the right to enter or run them."""
     if run.name != "chmod":
-        return "folder" if _makes_folder(run) else "file"
+        return "folder" if _makes_folder(run) else _of_new(mode.removeprefix("-m "), path)
     if any(map(RECURSIVE.fullmatch, run.words)):
         return "files"
     if path.endswith("/"):
         return "folder"
     return "file" if OF_FILE.fullmatch(mode) or DATA.search(path) else "file or folder"
+
+
+def _of_new(mode: str, path: str) -> str:
+    """What a file is that gets its mode with its text: a program where the mode lets somebody run it."""
+    is_run = "x" in mode.lower() or (mode.isdigit() and not OF_FILE.fullmatch(mode))
+    return "program" if is_run and not DATA.search(path) else "file"
 
 
 def _is_trusted(path: str) -> bool:
@@ -184,9 +196,16 @@ def _of_tasks(source: Source) -> Iterator[tuple[Located, str, str, str]]:
         if path is None or (state is not None and state.value in ("link", "absent")):
             continue
         if (given.is_octal or not mode.isdigit()) and _is_open(mode) and _is_trusted(path.value):
-            yield (
-                mode,
-                f"mode {mode}",
-                path.value,
-                "folder" if state is not None and state.value == "directory" else "file",
-            )
+            yield mode, f"mode {mode}", path.value, _kind_of_task(given, path.value)
+
+
+def _kind_of_task(given: FileMode, path: str) -> str:
+    state, source = given.settings.scalar("state"), given.settings.scalar("src")
+    if state is not None and state.value == "directory":
+        again = given.settings.scalar("recurse")
+        return "files of a task" if again is not None and again.value.lower() in YES else "folder"
+    if source is not None and source.value.endswith("/"):
+        return "files of a task"
+    mode = str(given.mode.value)
+    is_changed = not mode.isdigit() and "=" not in mode and not DATA.search(path)
+    return "changed" if is_changed else _of_new(mode, path)

@@ -73,6 +73,13 @@ def test_a_build_in_a_pipe_or_subshell_must_end_the_script_too() -> None:
     }
 
 
+def test_a_program_stays_executable() -> None:
+    found = [each["advice"].rpartition("with ")[2] for each in findings("script/world-writable", "bad_programs")]
+    program = "mode 775, or 664 if nobody runs it"
+    assert found[:3] == [program, "mode 664 or 640", "chmod g+w,o-w"]
+    assert found[3:] == [program, *["mode u=rwX,g=rwX,o=rX"] * 2, "mode g+w,o-w", "mode 2775 or 750"]
+
+
 @pytest.mark.parametrize(
     ("rule_id", "advice"),
     [
