@@ -51,8 +51,8 @@ def nearest_of_few(word: str, known: Collection[Word], farthest: int = 2) -> lis
 
 
 def longer(name: str, known: Iterable[str]) -> list[str]:
-    """The known names that have all words of a name together, and others beside them."""
-    return [each for each in known if each != name and f"_{name}_" in f"_{each}_"]
+    """The known names that end with a name, and say more before it: ``map_frame`` of ``frame``."""
+    return [each for each in known if each.endswith(f"_{name}")]
 
 
 class WordSlips:

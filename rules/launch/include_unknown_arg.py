@@ -116,7 +116,7 @@ def unknown(
         free = sorted(known - set(names))
         near = nearest(name, free, 3)
         fuller = longer(name, free)
-        meant = near or (fuller if len(fuller) == 1 else [])
+        meant = near or (fuller if len(fuller) == 1 and fits(values[str(name)], fuller[0], inner) else [])
         yield finding(
             name,
             f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
@@ -130,3 +130,9 @@ def unknown(
             if not near and launch.happens_anyway(str(name), values[str(name)], inner, robot.files)
             else None,
         )
+
+
+def fits(value: launch.Value, name: str, inner: launch.Expansion) -> bool:
+    """Whether a value is a truth value just where the default of an argument is one."""
+    defaults = [each.action.default for each in inner.declared if each.name == name]
+    return any(each is not None and (launch.truth(each) is None) is (launch.truth(value) is None) for each in defaults)
