@@ -48,11 +48,13 @@ def number_unset(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 unset.used,
                 f"{unset.name} has no value before this: the result is whatever was in memory, another at each call",
-                advice=f"keep it from one call to the next, with {begun} at the beginning: as a member of the class, one "
-                "for each signal, or static where all calls and objects may share it"
+                advice=f"keep it from one call to the next, with {begun} at the beginning: as a member of the class, "
+                "one for each signal, or static where all calls and objects may share it"
                 if unset.is_kept
                 else f"write {begun} where it is declared",
                 related=[note(unset.declared, "declared without a value")],
-                fix=fix(f"begin {unset.name} with 0", (unset.declared, begun)) if not is_array and not unset.is_kept else None,
+                fix=fix(f"begin {unset.name} with 0", (unset.declared, begun))
+                if not is_array and not unset.is_kept
+                else None,
                 severity=robot.nodes.lowered(node.source, "warning"),
             )
