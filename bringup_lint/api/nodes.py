@@ -165,7 +165,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.sources.threads import late_join
     from bringup_lint.graph.nodes.sources.what_ends import end_of
     from bringup_lint.graph.nodes.sources.what_ends import end_of_callbacks
-    from bringup_lint.graph.nodes.sources.what_ends import end_where_called
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import asked_quietly
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
@@ -221,7 +220,6 @@ __all__ = [
     "empty_defaults",
     "end_of",
     "end_of_callbacks",
-    "end_where_called",
     "ended_containers",
     "endless_answers",
     "endless_rates",

@@ -73,17 +73,13 @@ def log_refused(robot: Robot) -> Iterator[Finding]:
         for each in nodes.refused_logs(robot.nodes.syntax(file)):
             groups.setdefault(each.kind, []).append(each)
         for kind, (first, *others) in groups.items():
-            end = "the line is lost" if first.ends_try else "what follows in its try block never runs"
-            if not first.caught:
-                end = nodes.end_where_called(robot.nodes.syntax(file), first.call)
-            ends = end == "the node exits"
             yield finding(
                 file.span_of(first.what),
-                f"TypeError in place of a log line: {WHAT[kind]}; {end}",
+                f"TypeError in place of a log line: {WHAT[kind]}; {first.end}",
                 advice=ADVICE[kind],
                 related=[note(file.span_of(each.what), "likewise here") for each in others],
                 fix=_written_well(file, [first, *others]),
-                severity=robot.nodes.lowered(file.source, "error" if ends else "warning"),
+                severity=robot.nodes.lowered(file.source, "error" if first.ends_node else "warning"),
             )
 
 

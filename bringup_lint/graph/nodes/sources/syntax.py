@@ -115,8 +115,12 @@ class Syntax:
 
     def catches(self, node: ast.AST, names: frozenset[str]) -> bool:
         """Whether a ``try`` around a node, in the same function, takes one of some exceptions or all of them."""
+        return self.handler(node, names) is not None
+
+    def handler(self, node: ast.AST, names: frozenset[str]) -> ast.ExceptHandler | None:
+        """The first around a node, in the same function, that takes one of some exceptions or all of them."""
         outers = (outer for outer, name in self.within(node) if isinstance(outer, ast.Try) and name == "body")
-        return any(_takes(handler, names) for outer in outers for handler in outer.handlers)
+        return next((each for outer in outers for each in outer.handlers if _takes(each, names)), None)
 
     def after(self, statement: ast.stmt) -> list[ast.stmt]:
         """The statements after one in its own block."""

@@ -8,6 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.what_ends import EXITS
+from bringup_lint.graph.nodes.sources.what_ends import TRY_BLOCK
+from bringup_lint.graph.nodes.sources.what_ends import end_where_called
 from bringup_lint.model.python import last_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -24,6 +27,9 @@ _NUMBERS = frozenset({"len", "int", "float", "list", "dict", "tuple", "set"})
 _PLACEHOLDER = regex(r"%(?:%|[-+ #0]{0,4}\d{0,4}(?:\.\d{1,4})?[sdrifgexX])")
 _LOOPS = (ast.For, ast.AsyncFor, ast.While)
 CAUGHT = frozenset({"TypeError", "Exception", "BaseException"})
+_ENDING = frozenset({"sys.exit", "os._exit", "rclpy.shutdown", "rclpy.try_shutdown"})
+HANDLED = "the line is lost, and the except block runs"
+EXITS_THERE = "the except block runs, and ends the node"
 
 
 class RefusedLog(NamedTuple):
@@ -32,10 +38,12 @@ class RefusedLog(NamedTuple):
     """``arguments``, ``message`` or ``option``."""
     what: ast.expr | ast.keyword
     """The first argument too many, the message, or the option."""
-    caught: bool
-    """A ``try`` around it takes the TypeError."""
-    ends_try: bool
-    """Nothing comes after it in this ``try``."""
+    end: str
+    """What the exception ends, in words."""
+
+    @property
+    def ends_node(self) -> bool:
+        return self.end in (EXITS, EXITS_THERE)
 
     @property
     def formats(self) -> bool:
@@ -55,16 +63,29 @@ def refused_logs(syntax: Syntax) -> Iterator[RefusedLog]:
         if level in _LEVELS and isinstance(call.func, ast.Attribute) and not syntax.is_dead(call):
             found = _wrong(syntax, call, level)
             if found is not None and loggers.has(call.func.value):
-                yield RefusedLog(call, *found, syntax.catches(call, CAUGHT), _ends_try(syntax, call))
+                yield RefusedLog(call, *found, _end(syntax, call))
 
 
-def _ends_try(syntax: Syntax, call: ast.Call) -> bool:
-    """Whether a call is the last that the innermost ``try`` around it does, once."""
+def _end(syntax: Syntax, call: ast.Call) -> str:
+    handler = syntax.handler(call, CAUGHT)
+    if handler is None:
+        return end_where_called(syntax, call)
+    if any(isinstance(each, ast.Expr) and _exits(syntax, each.value) for each in handler.body):
+        return EXITS_THERE if end_where_called(syntax, call) == EXITS else HANDLED
+    return HANDLED if _ends_try(syntax, call, handler) else TRY_BLOCK
+
+
+def _exits(syntax: Syntax, call: ast.expr) -> bool:
+    return isinstance(call, ast.Call) and syntax.qualified(call) in _ENDING
+
+
+def _ends_try(syntax: Syntax, call: ast.Call, handler: ast.ExceptHandler) -> bool:
+    """Whether a call is the last that the ``try`` of a handler does, once."""
     inner: ast.AST = call
-    for outer, name in syntax.within(call):
+    for outer, _ in syntax.within(call):
         if isinstance(inner, ast.stmt) and syntax.after(inner):
             return False
-        if isinstance(outer, ast.Try) and name == "body":
+        if isinstance(outer, ast.Try) and handler in outer.handlers:
             return not outer.orelse
         if isinstance(outer, _LOOPS):
             return False
