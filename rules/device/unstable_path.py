@@ -9,7 +9,8 @@ severity depends on the place:
   default of a launch argument where a unit launches the file without giving the argument a value.
 - Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
   the only camera of the robot in a launch file, a script or code, and its first one in a parameter or compose file;
-  cameras in a tree that speaks of GMSL, which are numbered by the device tree.
+  cameras in a tree that installs a driver for GMSL, which are numbered by the device tree, and that speaks of no camera
+  on USB.
 
 In the source of a node it counts where it is opened, also under the name of a constant, and in a module that a node
 imports.
@@ -60,8 +61,18 @@ WORD = regex(r"[a-z]{3,}")
 OF_EVERY_DEVICE = frozenset(
     ("dev", "tty", "ttyusb", "ttyacm", "usb", "acm", "port", "serial", "device", "robot", "input", "event")
 )
-GMSL = regex(r"gmsl", re.I, "gmsl")
-"""Links of cameras to the board itself: the device tree gives them their numbers."""
+GMSL = regex(
+    r"^(?![ \t]*(?:\*|//))[^#\n]{0,200}?gmsl[^#\n]{0,80}(?:driver|overlay|\.deb\b|\.dtbo?\b|\.ko\b)",
+    re.I | re.M,
+    "gmsl",
+)
+"""The driver of links of cameras to the board itself: the device tree gives them their numbers."""
+USB_CAMERA = regex(
+    r"usb[ _-]{0,2}(?:video|(?:web)?cam)|webcam|\buvc|realsense|/dev/v4l/", re.I, "usb webcam uvc realsense v4l"
+)
+PAGE = regex(r"\.(?:md|rst|txt|adoc)$", re.I)
+MOST = 200_000
+"""Characters of a page that are read."""
 _SEVERITY = {"argument": "info"}
 FIRST = ("/dev/ttyUSB0", "/dev/ttyACM0")
 _RANK = ("literal", "unit", "host", "default", "script", "argument")
@@ -103,12 +114,12 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
         severity = "warning"
     if robot.devices.is_single_camera(use) or robot.devices.is_default(use):
         severity = "info"
-    if use.path.startswith("/dev/video") and robot.mentions(GMSL):
+    if use.path.startswith("/dev/video") and _has_fixed_cameras(robot):
         severity = "info"
     return finding(
         use.path,
         f"{use.path} is numbered in the order of discovery: {_then(use.path, beside)}",
-        advice=_advice(use, links),
+        advice=_advice(robot, use, links),
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
             *(note(each, "opened here") for each in [use.opened_elsewhere] if each is not None),
@@ -127,10 +138,23 @@ def _then(path: str, beside: Located | None) -> str:
     return "after a reboot it may be another device"
 
 
-def _advice(use: DeviceUse, links: list[Link]) -> str:
-    """The link of the device: one that shares a word with the file or the line that uses it, or that may be it."""
-    said = _words(f"{use.path.span.source.name} {use.path.span.source.line_text(use.path.span.line)}")
-    named = [link for link in links if not said.isdisjoint(_words(link.path))]
+def _has_fixed_cameras(robot: Robot) -> bool:
+    """Whether the cameras of the robot are on GMSL, and none is known to be on USB."""
+    if not robot.mentions(GMSL) or robot.mentions(USB_CAMERA):
+        return False
+    return not robot.tree.says(PAGE, MOST, USB_CAMERA)
+
+
+def _advice(robot: Robot, use: DeviceUse, links: list[Link]) -> str:
+    """The link of the device: one whose words, but for those of the robot, are all in the name of the file or the line
+    that uses it, or that may be it."""
+    said = _words(f"{use.path.span.source.basename} {use.path.span.source.line_text(use.path.span.line)}")
+    of_robot = {word for package in robot.launch.workspace.packages for word in _words(package)} if links else set()
+    named = []
+    for link in links:
+        words = _words(link.path) - of_robot - _words(link.name.span.source.basename)
+        if words and words <= said:
+            named.append(link)
     names = " or ".join(link.path for link in (named or links)[:3])
     if named:
         return f"use {names}"

@@ -38,6 +38,12 @@ def test_a_link_of_another_kind_of_device_is_advised_with_a_condition() -> None:
     assert found["config/claw.yaml"].startswith("use /dev/kestrel/lidar or /dev/kestrel/winch if that is the device")
 
 
+def test_the_name_of_the_robot_is_not_that_of_a_device() -> None:
+    found = {each["location"]["path"]: each["advice"] for each in findings("device/unstable-path", "bad_robot_word")}
+    assert found["tern_bringup/config/gps.yaml"] == "use /dev/tern_gps"
+    assert found["tern_bringup/config/lidar.yaml"].startswith("use /dev/tern_gps if that is the device")
+
+
 def test_a_container_does_not_listen_on_its_own_loopback_address() -> None:
     found = [each["advice"] for each in findings("host/unauthenticated-service", "bad_container")]
     assert len(found) == 4
