@@ -3,8 +3,9 @@
 ## What it finds
 `colcon build` whose result nobody looks at, before a `ros2 launch` or `ros2 run` of the same script, in a script
 without `set -e`; and one before another build of other packages, in a script that does not end with the build, so that
-its status says nothing of it. Silent if `&&` or `||` follows, if the build is the condition of an `if`, if the script
-looks at `$?`, and if it ends by sourcing what was built, as scripts do that people source.
+its status says nothing of it. Silent if `&&` or `||` follows the build or the group that ends with it, if the build is
+the condition of an `if`, if the script looks at `$?`, and if it ends by sourcing what was built, as scripts do that
+people source.
 
 ## Why it matters on a robot
 When a package does not compile, its last build is still in `install/`. The script sources it and starts it: the robot
@@ -34,6 +35,7 @@ When the last build that succeeded is what is to be started.
 - bash(1), "Lists"
 """
 
+import itertools
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -50,6 +52,8 @@ from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import shell_blocks
 
 LOOKS = regex(STRICT + r"|\btrap [^\n]{0,200}\bERR\b|\$\?|\bPIPESTATUS\b", re.M)
+ASKED = ("&&", "||")
+"""What ends a command whose status somebody looks at."""
 OF_SH = regex(r"#![ \t]*\S*/(?:env[ \t]+)?(?:da)?sh\b")
 """A shell that may know no pipefail, and then ends."""
 CONDITION = regex(r"\b(?:if|elif|while|until)\b[^;\n]{0,200}$|![ \t]*$")
@@ -101,7 +105,7 @@ def _advice(build: Run) -> str:
         if block.ends == "|":
             is_piped = True
             places.append("the pipe")
-        elif block.kind == "group" and _is_subshell(block):
+        elif block.kind == "group" and block.ends not in ASKED and _is_subshell(block):
             places.append("the subshell")
     after = " and after ".join(dict.fromkeys(places))
     if not is_piped:
@@ -138,10 +142,23 @@ def _builds_more(first: Run, run: Run) -> bool:
 
 
 def _is_ignored(run: Run) -> bool:
-    if run.name != "colcon" or run.arguments[:1] != ["build"] or run.command.ends in ("&&", "||", "&"):
+    if run.name != "colcon" or run.arguments[:1] != ["build"] or run.command.ends in (*ASKED, "&"):
         return False
     span = run.command.words[0].span
-    return CONDITION.search(span.source.line_before(span.start)) is None
+    return CONDITION.search(span.source.line_before(span.start)) is None and not _is_asked(run)
+
+
+def _is_asked(build: Run) -> bool:
+    """Whether somebody looks at the status of a subshell or group that ends with the build."""
+    inner = build.words[0].span.start
+    around = [] if build.command.ends == "|" else _around(shell_blocks(build.words[0].span.source), inner)
+    ends = itertools.takewhile(lambda block: block.kind == "group" and _ends_with(block, inner), around)
+    return any(block.ends in ASKED for block in ends)
+
+
+def _ends_with(group: Block, at: int) -> bool:
+    last = group.bodies[0][-1]
+    return _starts_at(last, at) or (last.kind == "group" and _ends_with(last, at))
 
 
 def _sets_up(run: Run) -> bool:
@@ -151,7 +168,7 @@ def _sets_up(run: Run) -> bool:
 
 def _moves(run: Run) -> bool:
     """Whether the build is in another folder when the command fails."""
-    return run.name == "cd" and run.certain and run.command.ends not in ("&&", "||")
+    return run.name == "cd" and run.certain and run.command.ends not in ASKED
 
 
 def _starts_ros(run: Run) -> bool:

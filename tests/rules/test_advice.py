@@ -72,6 +72,7 @@ def test_a_build_in_a_pipe_or_subshell_must_end_the_script_too() -> None:
         "braces.sh": "write '|| exit 1' after the build",
         "both.sh": f"{pipe}pipe and after the subshell",
         "dash.sh": f"run the script with bash, {pipe}pipe",
+        "first.sh": "write '|| exit 1' after the build",
         "group.sh": f"{pipe}build and after the pipe",
         "nested.sh": "write '|| exit 1' after the build and after the subshell",
         "subshell.sh": "write '|| exit 1' after the build and after the subshell",

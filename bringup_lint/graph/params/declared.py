@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -109,13 +110,20 @@ def mentions(files: Files, package: Package, word: str) -> bool:
     return any(source is not None and word in source.text for source in sources)
 
 
-def may_declare(files: Files, workspace: Workspace, package: Package, name: str) -> bool:
+def may_declare(files: Files, workspace: Workspace, package: Package, executable: str, name: str) -> bool:
     """Whether a node of a package may declare a parameter: a source of the workspace, where its class may come from,
     names it, takes every name or one that it makes up, or nothing is known of its sources."""
-    if next(_sources(files, workspace, package), None) is None:
+    if next(_sources(files, workspace, package), None) is None or _is_of_others(files, package, executable):
         return True
     sources = (source for each in workspace.packages.values() for source in _sources(files, workspace, each))
     return any(name in source.text or source.matches(_UNKNOWN) for source in sources)
+
+
+def _is_of_others(files: Files, package: Package, executable: str) -> bool:
+    """Whether the module of a program declares nothing: its class is that of another module, or of another package."""
+    module = package.entry_points.get(executable, "").partition(":")[0].strip()
+    source = files.tree.at(os.path.join(package.folder, f"{module.replace('.', '/')}.py")) if module else None
+    return bool(module) and (source is None or "declare_parameter" not in source.text)
 
 
 def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:

@@ -91,8 +91,11 @@ def _may_take(files: Files, launch: Launch, action: Action, name: str) -> bool:
     from bringup_lint.graph.params.declared import may_declare
     from bringup_lint.model.launch import Node
 
-    package = launch.workspace.packages.get(literal_text(action.package) or "") if isinstance(action, Node) else None
-    return package is None or may_declare(files, launch.workspace, package, name)
+    if not isinstance(action, Node):
+        return True
+    package = launch.workspace.packages.get(literal_text(action.package) or "")
+    executable = literal_text(action.executable) or ""
+    return package is None or may_declare(files, launch.workspace, package, executable, name)
 
 
 def _is_filled(value: Value) -> bool:
