@@ -46,7 +46,7 @@ PROGRAM = regex(r"\.(?:py|sh|bash)$|(?:^|/)(?:Makefile|[Jj]ustfile)$")
 MOST = 100_000
 """Characters of a program that are read."""
 REDIRECTS = r"(?<![-=/\"\w])>|\btee\b|\bsed[ \t]+-\w{0,5}i(?:(?!;[ \t]|&&)[^\n]){1,120}[ \t]"
-"""What stands before the name of a file that a shell writes."""
+"""What precedes the name of a file that a shell writes."""
 NETWORK = ("netplan", "cloud-init-network", "networkd", "networkmanager", "udev-rules")
 
 

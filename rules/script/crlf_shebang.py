@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 
 ABSOLUTE = r"(?:/[\w.-]{1,60}){1,9}"
 UNKNOWN = r"(?:^|[\s\"'=])|\$[\w{}]{1,60}[\"']?/"
-"""What stands before a pattern for files of a folder that is not named."""
+"""What precedes a pattern for files of a folder that is not named."""
 
 
 @rule(

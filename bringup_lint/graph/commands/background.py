@@ -19,7 +19,7 @@ SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logg
 """Programs that end by themselves."""
 _FILES = ("touch", "mkdir", "chmod", "chown", "rm", "cp", "mv", "ln", "date", "sync", "source", ".")
 _LONGEST = regex(r"\d{1,3}(?:\.\d{1,9})?s?")
-"""What sleep takes where a script does not wait for ever."""
+"""What sleep takes where a script does not wait forever."""
 _INTERPRETERS = regex(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
 _SERVERS = regex(
     r"ros(?:launch|run|core)|gst-launch-1\.0|MicroXRCEAgent|micro_ros_agent|mjpg_streamer|zenohd|zenoh-bridge-\w+"
@@ -77,7 +77,7 @@ def _keeps_running(step: Step) -> bool:
 
 
 def _is_short(step: Step) -> bool:
-    """Whether a command ends by itself; in a loop it may be repeated for ever."""
+    """Whether a command ends by itself; in a loop it may be repeated forever."""
     command = step.command
     if command.depth or (command.name == "sleep" and not all(map(_LONGEST.fullmatch, command.words[1:]))):
         return False
