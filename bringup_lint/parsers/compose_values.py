@@ -32,7 +32,8 @@ _CONTAINER = regex(r"[a-zA-Z0-9][a-zA-Z0-9_.-]+")
 _PORTS = regex(r"(?P<first>\d{1,5})(?:-(?P<last>\d{1,5}))?")
 _PROTOCOL = regex(r"tcp|udp|sctp", re.I)
 _PERMISSIONS = regex(r"[rwm]{1,3}")
-_MAC = regex(r"[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5}")
+_MAC = regex(r"(?:[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5})?")
+"""An empty one is not handed on to Docker."""
 _SIGNAL = regex(r"(?:SIG)?[A-Z]+\d*(?:[-+]\d+)?|\d+")
 _MOUNT_OPTIONS = frozenset(
     "ro rw nocopy z Z cached delegated consistent private rprivate shared rshared slave rslave U O".split()

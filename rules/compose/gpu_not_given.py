@@ -3,7 +3,9 @@
 ## What it finds
 `NVIDIA_VISIBLE_DEVICES` or `NVIDIA_DRIVER_CAPABILITIES` in the environment of a service without `runtime`, `gpus`,
 `deploy` and devices of NVIDIA, where another service of the same file has `runtime: nvidia` or `gpus`. Silent where
-the tree makes nvidia the default runtime of Docker, and for the values `void` and `none`.
+the tree makes nvidia the default runtime of Docker, or one of its pages tells to, for the values `void` and `none` and
+for variables, where the service has its variables in common with another one, and where another compose file gives GPUs
+to a service of this name.
 
 ## Why it matters on a robot
 Only the runtime of NVIDIA reads these variables. With the usual runtime the container has no GPU: the detector runs on
@@ -37,6 +39,7 @@ When `/etc/docker/daemon.json` of the robot makes nvidia the default runtime.
 - https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/latest/docker-specialized.html
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -51,8 +54,9 @@ from bringup_lint.api.compose import Service
 VARIABLES = ("NVIDIA_VISIBLE_DEVICES", "NVIDIA_DRIVER_CAPABILITIES")
 NONE = ("void", "none", "")
 GIVES = ("runtime", "gpus", "deploy")
-DEFAULT = regex(r"default[-_]runtime", hints="default-runtime default_runtime")
-SETTINGS = regex(r"(?:^|/)(?:daemon\.json|README[^/]*)$")
+ELSEWHERE = (*GIVES, "devices")
+DEFAULT = regex(r"default[-_]runtime|set-as-default", hints="default-runtime default_runtime set-as-default")
+SETTINGS = regex(r"(?:^|/)(?:daemon\.json|README[^/]*|[^/]*\.(?:md|rst|adoc|txt))$")
 MOST = 200_000
 
 
@@ -65,7 +69,7 @@ def gpu_not_given(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [] if file.source.template else [each for each in file.services if each.is_whole]
         given = next((place for each in services if (place := _given(each)) is not None), None)
-        lacking = [] if given is None else [(each, name) for each in services if (name := _asks(each)) is not None]
+        lacking = [] if given is None else list(_lacking(robot, file.services, services))
         if given is None or not lacking or _is_default(robot):
             continue
         for service, name in lacking:
@@ -85,12 +89,29 @@ def _given(service: Service) -> Located | None:
     return service.key("gpus")
 
 
+def _lacking(robot: Robot, every: list[Service], services: list[Service]) -> Iterator[tuple[Service, Located]]:
+    """Services that choose GPUs and get none, each with the variable that chooses, which is its own."""
+    places = Counter(place.span for each in every for place in _variables(each))
+    for service in services:
+        name = _asks(service)
+        if name is not None and places[name.span] == 1 and not robot.compose.is_set_elsewhere(service, *ELSEWHERE):
+            yield service, name
+
+
+def _variables(service: Service) -> Iterator[Located]:
+    variables = (service.environment.get(name) for name in VARIABLES)
+    return (each.name for each in variables if each is not None and _chooses(str(each.value or "")))
+
+
+def _chooses(value: str) -> bool:
+    return "$" not in value and value not in NONE
+
+
 def _asks(service: Service) -> Located | None:
     """The variable with which a service chooses GPUs that it does not get."""
     if any(service.get(key) is not None for key in GIVES) or any("nvidia" in each.host for each in service.devices):
         return None
-    variables = (service.environment.get(name) for name in VARIABLES)
-    return next((each.name for each in variables if each is not None and str(each.value or "") not in NONE), None)
+    return next(_variables(service), None)
 
 
 def _is_default(robot: Robot) -> bool:

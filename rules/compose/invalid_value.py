@@ -9,7 +9,7 @@ A value that compose or the Docker engine refuses:
 - a missing key
 - `networks` beside `network_mode` in one service
 - `mac_address` beside `network_mode: host`, or beside the network of another container (a warning, because only some
-  versions of the engine refuse it)
+  versions of the engine refuse it; silent for a variable, which may be empty)
 
 A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable. One
 that means `rw` is an info, as is a value of nothing but crosses, for somebody to fill in.
@@ -120,7 +120,8 @@ def _foreign_macs(services: Iterable[Service]) -> Iterator[Finding]:
     found: dict[Span, Service] = {}
     for service in services:
         mode = service.network_mode
-        if mode and service.get("mac_address") is not None and (mode == "host" or mode.startswith(SHARED)):
+        address = service.scalar("mac_address")
+        if mode and address and "$" not in address and (mode == "host" or mode.startswith(SHARED)):
             found.setdefault(service.place_of("mac_address").span, service)
     for service in found.values():
         mode = service.place_of("network_mode")

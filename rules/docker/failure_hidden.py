@@ -11,7 +11,8 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
 Loops are not judged, nor is a step that asks for `$?` or has a trap for ERR. `apt-get update || true` is an info: what
-is installed next mostly tells. The import of a `.repos` file of the tree that lists nothing is left alone.
+is installed next mostly tells. A command that only looks (`--check`, `--dry-run`) is no installation. The import of a
+`.repos` file of the tree that lists nothing is left alone.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -200,7 +201,7 @@ def _brings(command: Command) -> bool:
     words = unwrapped(command.words)
     name = program_name(words[0]) if words else ""
     rest = [word for word in words[1:] if not word.startswith("-")]
-    simulated = {"-s", "--simulate", "--dry-run", "--download-only"} & set(words)
+    simulated = {"-s", "--simulate", "--dry-run", "--download-only", "--check"} & set(words)
     if name == "colcon":
         return "build" in rest
     return name in INSTALLERS and rest[:1] == [INSTALLERS[name]] and not simulated

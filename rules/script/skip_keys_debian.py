@@ -2,7 +2,8 @@
 
 ## What it finds
 `rosdep install --skip-keys` with the name of a Debian package of ROS, such as `ros-jazzy-rviz2`, instead of a key of
-rosdep, such as `rviz2`. In scripts, Dockerfiles, tasks and command lines. Silent where the key is among the words, too.
+rosdep, such as `rviz2`. In scripts, Dockerfiles, tasks and command lines. Silent where the key is among the words, too,
+and where a package.xml or a list of keys of the tree has such a name.
 
 ## Why it matters on a robot
 rosdep compares the words with the names in package.xml, and says nothing of those that it does not find. It installs
@@ -19,7 +20,7 @@ rosdep install --from-paths src -i -y --skip-keys "rviz2 joint_state_publisher_g
 ```
 
 ## When to ignore it
-When a list of rosdep of your own has a key of this name.
+When a list of rosdep outside this tree has a key of this name.
 
 ## References
 - https://docs.ros.org/en/independent/api/rosdep/html/commands.html, "--skip-keys"
@@ -42,6 +43,14 @@ from bringup_lint.api.shell import unwrapped
 
 OPTION = "--skip-keys"
 DEBIAN = regex(rf"ros-(?:{'|'.join(distro_names())}|\$\{{?\w+\}}?)-(?P<name>[a-z0-9-]+)")
+LISTS = regex(r"(?:^|/)package\.xml$|\.ya?ml$")
+DECLARED = regex(
+    rf">\s{{0,9}}ros-(?:{'|'.join(distro_names())})-[a-z0-9-]{{1,80}}\s{{0,9}}<"
+    rf"|(?m:^)[ \t]{{0,40}}[\"']?ros-(?:{'|'.join(distro_names())})-[a-z0-9-]{{1,80}}[\"']?:",
+    hints="ros-",
+)
+"""Names of Debian packages that are keys of rosdep here."""
+MOST = 400_000
 
 
 @rule("warning", silent="rosdep passes over keys that it does not know")
@@ -55,7 +64,7 @@ def skip_keys_debian(robot: Robot) -> Iterator[Finding]:
         named = ((key, match["name"].replace("-", "_")) for key, match in debian)
         written = frozenset(map(str, keys))
         wrong = [(key, name) for key, name in named if name not in written]
-        if wrong:
+        if wrong and not robot.tree.says(LISTS, MOST, DECLARED):
             (first, name), *others = wrong
             yield finding(
                 first,
