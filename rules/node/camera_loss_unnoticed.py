@@ -3,8 +3,8 @@
 ## What it finds
 In the callback of a timer or in a `while` loop of a Python node, a `read()` of `cv2.VideoCapture` after whose failure
 the code only returns, continues, waits or logs, where nothing opens the camera again: it is opened in the constructor
-or before the loop alone. In C++ the same of `read(frame)` and `camera >> frame` of `cv::VideoCapture`. Video files are
-left out.
+or before the loop alone. In C++ the same of `read(frame)` and `camera >> frame` of `cv::VideoCapture`, in files where
+only the start throws or ends the process. Video files are left out.
 
 ## Why it matters on a robot
 When the USB camera is unplugged, or resets for a moment, `read()` returns False at once, each time. OpenCV does not

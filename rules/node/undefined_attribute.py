@@ -2,20 +2,20 @@
 
 ## What it finds
 `self.x`, and `self.x += 1`, in a Python node when no code sets `x` and neither its base classes nor rclpy define it;
-and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the
-other properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`,
-which are those of ParameterValue and of C++, and `.value.bool_value` of a parameter that rclpy hands out; and
-attributes that only a subscription sets and that a timer or another subscription uses without asking whether the
-message came; and attributes whose every assignment comes behind a use of them; and those that a `try` of the
-constructor sets, whose `except` goes on, and that the constructor or a callback uses afterwards; and what the module
-rclpy does not have, such as `rclpy.Time` and the functions of rospy; and `Encoder.port`, where only the objects of
-the class Encoder have a port; and members that an `Enum` of the tree does not have. The same holds for classes beside
-the nodes, in Python modules of the tree too, that build on nothing and that the code makes; and for `motor.brake()` and
-`self.motor.brake()` where the object is only ever of one such class, be it of another file of the tree. Classes with
-bases that are not in the tree are left out. It is an info in a method that nothing calls, in `__getitem__`, `__str__`
-and the like of a plain class, where no `len(x)`, `x[0]` and the like runs them, behind a handler that shuts the context
-down, and after the `join()` of a thread, where the node has done its work. It is an info in packages that others wrote
-and the tree only carries.
+and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other
+properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are
+those of ParameterValue and of C++, and `.value.bool_value` of a parameter that rclpy hands out; and attributes that
+only a subscription sets and that a timer or another subscription uses without asking whether the message came; and
+attributes whose every assignment comes behind a use of them; and those that a `try` of the constructor sets, whose
+`except` goes on, and that the constructor or a callback uses afterwards; and what the module rclpy does not have, such
+as `rclpy.Time` and the functions of rospy; and `Encoder.port`, where only the objects of the class Encoder have a port;
+and members that an `Enum` of the tree does not have, where no `setattr` may give it more. The same holds for classes
+beside the nodes, in Python modules of the tree too, that build on nothing and that the code makes; and for
+`motor.brake()` and `self.motor.brake()` where the object is only ever of one such class, be it of another file of the
+tree. Classes with bases that are not in the tree are left out. It is an info in a method that nothing calls, in
+`__getitem__`, `__str__` and the like of a plain class, where no `len(x)`, `x[0]` and the like runs them, behind a
+handler that shuts the context down, and after the `join()` of a thread, where the node has done its work. It is an info
+in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,

@@ -44,7 +44,11 @@ _PASSIVE = regex(
     r"|[\w:.>-]{0,60}sleep(?:_for)?\s{0,4}\([^;]{0,200};"
 )
 _LEAVES = regex(r"\s*(?:return|continue)\s*;\s*\Z")
-_ENDS = regex(r"\b(?:exit|abort)\s{0,4}\(", hints="exit abort")
+_ENDS = regex(
+    r"\b(?:_?exit|_Exit|quick_exit|abort|terminate|raise|kill)\s{0,4}\(|\bthrow\b",
+    hints="exit _Exit abort terminate raise kill throw",
+)
+"""What ends the node: an exception leaves ``spin``."""
 _SHUTS = regex(r"\bshutdown\s{0,4}\(", hints="shutdown")
 _KNOWN_USE = r"(?:\.|->)\s{0,4}(?:read|isOpened|get|set|release|open)\s{0,4}\(|>>|[;({]"
 """To declare, open, ask or read a camera."""

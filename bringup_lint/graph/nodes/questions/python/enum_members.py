@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.tree_imports import Defined
 from bringup_lint.graph.nodes.sources.tree_imports import definitions
 from bringup_lint.graph.nodes.sources.tree_imports import own_definitions
 from bringup_lint.model.python import bound_names
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -23,6 +24,10 @@ if TYPE_CHECKING:
 _BASES = frozenset({"enum.Enum", "enum.IntEnum"})
 _PLAIN = (ast.Assign, ast.AnnAssign, ast.FunctionDef, ast.Expr, ast.Pass)
 """Statements by which a class has all its names."""
+_ADDS = regex(
+    r"\bsetattr\(\s{0,40}(?!\s|self\b)|\bextend_enum\b|\b_member_map_\b", hints="setattr extend_enum _member_map_"
+)
+"""What may give an enumeration members of any name."""
 _OF_INTEGERS = frozenset(dir(int))
 
 
@@ -51,10 +56,12 @@ def _owner(node: ast.Attribute) -> str:
 
 def _enumerations(nodes: Nodes, file: NodeSource) -> dict[str, tuple[Defined, frozenset[str]]]:
     """Name in a file -> the enumeration that it means, with all names that this has."""
+    if file.source.matches(_ADDS):
+        return {}
     own = {name: Defined(file, node) for name, node in own_definitions(nodes, file).items()}
     found = {}
     for name, defined in {**definitions(nodes, file), **own}.items():
-        members = _members(defined)
+        members = _members(defined) if not defined.file.source.matches(_ADDS) else None
         if members is not None:
             found[name] = (defined, members)
     return found
