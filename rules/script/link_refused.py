@@ -3,8 +3,8 @@
 ## What it finds
 `ln -s` without `-f`, `-b` or a backup suffix whose name is that of a file that every Debian and Ubuntu has:
 `/etc/resolv.conf`, `/etc/localtime`, `/etc/hosts`, `/etc/hostname`, `/etc/fstab`, `/bin/sh`. Silent where the script
-removes or moves any file, names this one a second time or works in another root, where a variable has the name, where
-the failure is handled, and in scripts that build an image; for `/etc/localtime` in all trees with images, which may
+may remove or move this file, names it a second time or works in another root, where a variable has the name, where the
+failure is handled, and in scripts that build an image; for `/etc/localtime` in all trees with images, which may
 have no tzdata.
 
 ## Why it matters on a robot
@@ -45,14 +45,19 @@ ZONE = "/etc/localtime"
 """Of the package tzdata, which images of containers lack."""
 PAIR = 2
 """What a link leads to, and its name."""
+REMOVES = ("rm", "mv", "unlink")
+PLAIN = regex(r"[^$*?\[{`~\\]*")
+"""The start of a word that the shell leaves as it is."""
 MAKES_ROOM = regex(
-    r"\b(?:rm|mv|unlink|rename|dpkg-divert|purge|remove|debootstrap|mmdebstrap|(?:arch-)?chroot|nspawn|nsenter)\b|-delete\b"
+    r"\b(?:xargs|rename|dpkg-divert|debootstrap|mmdebstrap|(?:arch-)?chroot|nspawn|nsenter)\b|-(?:delete|exec)\b"
+    r"|\bapt(?:-get|itude)?[ \t][^\n]{0,80}\b(?:purge|remove)\b"
 )
 """What may have taken a file away before, or have another root."""
 
 
 @rule("warning", symptoms=["ln: failed to create symbolic link '*': File exists"])
 def link_refused(robot: Robot) -> Iterator[Finding]:
+    seen: set[tuple[Source, str]] = set()
     for source, run in robot.scripts.run("ln"):
         paths = [word for word in run.words[1:] if not word.startswith("-")]
         if len(paths) != PAIR or not _is_plain_link(run):
@@ -60,7 +65,10 @@ def link_refused(robot: Robot) -> Iterator[Finding]:
         target, name = paths
         path = run.text(name)
         path = posixpath.join(path, posixpath.basename(run.text(target))) if path.endswith("/") else path
-        if path in THERE and not _is_handled(robot, source, name, path) and not robot.scripts.is_for_image(source):
+        if path not in THERE or (source, path) in seen:
+            continue
+        seen.add((source, path))
+        if not _is_handled(robot, source, name, path) and not robot.scripts.is_for_image(source):
             yield finding(
                 name,
                 f"Every robot has {path}: ln says 'File exists', and changes nothing",
@@ -80,4 +88,12 @@ def _is_handled(robot: Robot, source: Source, name: str, path: str) -> bool:
     """Whether the file may be none there, or the script may know of it."""
     if "$" in name or source.says(MAKES_ROOM) or source.said.count(path) > 1:
         return True
-    return path == ZONE and bool(robot.of_kind("dockerfile"))
+    if path == ZONE and robot.of_kind("dockerfile"):
+        return True
+    runs = (did for did in robot.scripts.done(source) if isinstance(did, Run) and did.name in REMOVES)
+    return any(_may_be(word, path) for run in runs for word in run.words[1:] if not word.startswith("-"))
+
+
+def _may_be(word: str, path: str) -> bool:
+    """Whether a word of a command may stand for a path, or for a folder that has it."""
+    return not word.startswith("/") or path.startswith(PLAIN.match(word)[0])  # type: ignore[index]
