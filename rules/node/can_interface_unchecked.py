@@ -2,7 +2,8 @@
 
 ## What it finds
 `ioctl(socket, SIOCGIFINDEX, ...)` of a CAN socket whose result nobody looks at, when the function then calls `bind()`
-with the index and compares that with nothing.
+with the index and looks at neither that nor `errno` before. A request that was given another index on purpose is left
+out.
 
 ## Why it matters on a robot
 The request fails when there is no interface of this name: the adapter is not plugged in, its driver comes later, or it
@@ -38,8 +39,8 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 BY_CHANCE = (
-    "Without the CAN interface bind() takes an index that nobody set: it fails without the name, or takes 0, all CAN "
-    "interfaces"
+    "Without the CAN interface bind() takes the index that the request held before: it fails without the name, or "
+    "takes 0, all CAN interfaces"
 )
 
 
@@ -47,7 +48,8 @@ BY_CHANCE = (
 def can_interface_unchecked(robot: Robot) -> Iterator[Finding]:
     for driver in robot.nodes.drivers:
         for found in driver.unchecked_indexes:
-            taken = "index 0, all CAN interfaces, and each write fails" if found.is_zero else "an index that nobody set"
+            held = "the index that the request held before"
+            taken = "index 0, all CAN interfaces, and each write fails" if found.is_zero else held
             message = f"Nothing notices that the CAN interface does not exist: bind() takes {taken}"
             yield finding(
                 found.asked,
