@@ -127,9 +127,9 @@ class _Texts:
     def _is_itself(self, start: int, read: re.Match[str], end: int) -> bool:
         """Whether what is read there becomes part of a value: it chooses none, and no other function makes one of
         it."""
-        return "?" not in self._plain[read.end() : end] and all(
-            _KEEPS.match(each) for each in self._around(start, read.start())
-        )
+        if read.start() - start > _FARTHEST or "?" in self._plain[read.end() : end]:
+            return False
+        return all(_KEEPS.match(each) for each in self._around(start, read.start()))
 
     def _around(self, start: int, at: int) -> Iterator[str]:
         """The words before the brackets that are open at a place; the bracket itself for an index."""
