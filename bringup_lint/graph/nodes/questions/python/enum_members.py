@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.tree_imports import Defined
 from bringup_lint.graph.nodes.sources.tree_imports import definitions
 from bringup_lint.graph.nodes.sources.tree_imports import own_definitions
 from bringup_lint.model.python import bound_names
+from bringup_lint.model.python import dotted_name
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def _members(defined: Defined) -> frozenset[str] | None:
     node, imports = defined.node, defined.file.imports
     if not isinstance(node, ast.ClassDef) or len(node.bases) != 1 or node.keywords:
         return None
-    base = ast.unparse(node.bases[0])
+    base = dotted_name(node.bases[0])
     base = imports.get(base) or base
     decorators = {each.id if isinstance(each, ast.Name) else "?" for each in node.decorator_list}
     if base not in _BASES or decorators - {"unique"} or not all(isinstance(each, _PLAIN) for each in node.body):
