@@ -14,7 +14,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing import TypeGuard
 
-_DEEP = 16
+_DEEP = 40
 """Levels of what is compared as it is written."""
 FunctionNode = Union["ast.FunctionDef", "ast.AsyncFunctionDef"]
 PlacedNode = Union["ast.expr", "ast.stmt", "ast.keyword", "ast.arg", "ast.excepthandler", "ast.alias"]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.pattern import regex
@@ -188,9 +189,9 @@ def _dynamic_names(tree: ast.Module) -> set[str]:
             continue
         for target in node.targets:
             if isinstance(target, ast.Attribute) and target.attr == _DYNAMIC:
-                found.add(ast.unparse(target.value))
+                found.add(written(target.value))
             elif _mentions_dynamic(node.value):
-                found.add(ast.unparse(target))
+                found.add(written(target))
     return found
 
 
@@ -213,7 +214,7 @@ def _is_dynamic(declaration: ast.AST, described: set[str] | None) -> bool:
     if _mentions_dynamic(declaration):
         return True
     names = (each for each in ast.walk(declaration) if isinstance(each, (ast.Name, ast.Attribute)))
-    return bool(described) and any(ast.unparse(each) in described for each in names)
+    return bool(described) and any(written(each) in described for each in names)
 
 
 def _python_one(
@@ -233,7 +234,7 @@ def _column(source: Source, node: ast.expr) -> int:
 
 def _python_type(default: ast.expr | None) -> str:
     if isinstance(default, ast.Attribute):
-        words = ast.unparse(default).rpartition("Type.")
+        words = written(default).rpartition("Type.")
         return words[2].lower() if words[1] and words[2].isupper() else ""
     try:
         value = ast.literal_eval(default) if default is not None else None

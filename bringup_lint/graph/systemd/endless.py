@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.commands.shells import SHELL_SCRIPT
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.model.python import written
 from bringup_lint.model.shell import Block
 from bringup_lint.parsers.python_syntax import syntax_tree
 from bringup_lint.parsers.shell import script_blocks
@@ -87,7 +88,7 @@ def _python_loops_forever(source: Source) -> bool:
 
 def _top_level(node: ast.stmt) -> list[ast.stmt]:
     """A statement of a module, or those below ``if __name__ == "__main__"``."""
-    return node.body if isinstance(node, ast.If) and "__name__" in ast.dump(node.test) else [node]
+    return node.body if isinstance(node, ast.If) and "__name__" in written(node.test) else [node]
 
 
 def _is_endless_loop(node: ast.stmt) -> bool:

@@ -11,6 +11,7 @@ from typing import Any
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.parsers.python_node.classes import declare
 from bringup_lint.parsers.python_node.classes import function
@@ -183,7 +184,7 @@ class Reading:
         node.bases = (base,)
         node.is_lifecycle = "lifecycle" in base
         if isinstance(kept, (ast.Name, ast.Attribute)):
-            node.variable = ast.unparse(kept)
+            node.variable = written(kept)
         node.node_name = self.text(argument(call.node, 0, "node_name"), call.scope)
         node.namespace = self.text(argument(call.node, 99, "namespace"), call.scope)
         self.single[id(call.node)] = node

@@ -9,6 +9,7 @@ from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import Timer
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.qos import of_depth
 from bringup_lint.parsers.python_node.qos import qos_of
@@ -99,7 +100,7 @@ def made_by(values: Values, call: Call) -> Made | None:
         if function.attr in _ADDERS and call.node.args:
             owner = function.value if function.attr == "add_on_set_parameters_callback" else None
             return Made(owner, callbacks=_callbacks(values, call, call.node.args[0], _ADDERS[function.attr], None))
-        if function.attr == "on_shutdown" and call.node.args and "context" in ast.unparse(function.value):
+        if function.attr == "on_shutdown" and call.node.args and "context" in written(function.value):
             return Made(None, callbacks=_callbacks(values, call, call.node.args[0], "shutdown", None))
     name = values.qualified(function, call.scope)
     if name in CLASSES:
@@ -186,7 +187,7 @@ def _group(values: Values, node: ast.expr | None, scope: Scope) -> Group | None:
         kind = value.name.rpartition(".")[2]
         key = f"{value.call.lineno}:{value.call.col_offset}"
         return Group(key, kind == "ReentrantCallbackGroup" if kind.endswith("CallbackGroup") else None)
-    return Group(ast.unparse(node), None)
+    return Group(written(node), None)
 
 
 def _seconds(period: object) -> float | None:

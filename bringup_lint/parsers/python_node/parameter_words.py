@@ -14,6 +14,7 @@ from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import children
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import tree_of
@@ -108,7 +109,7 @@ class _Reader:
             name = call.args[0] if call.args else None
             if not isinstance(name, ast.Constant) or not isinstance(name.value, str):
                 continue
-            if isinstance(call.func, ast.Attribute) and _OWN.match(ast.unparse(call.func)):
+            if isinstance(call.func, ast.Attribute) and _OWN.match(written(call.func)):
                 required = called_name(call) == "get_parameter" and not self._is_tried(call)
                 quiet = called_name(call) == "get_parameter_or"
                 yield Asked(Located(name.value, self.positions.span(name)), required, quiet)
@@ -121,7 +122,7 @@ class _Reader:
                 name, kind = call.args
                 if not isinstance(name, ast.Constant) or name.value not in used or self._is_tried(call):
                     continue
-                if _TYPE.search(ast.unparse(kind)):
+                if _TYPE.search(written(kind)):
                     yield Located(str(name.value), self.positions.span(name))
 
     def _is_tried(self, call: ast.Call) -> bool:
@@ -150,7 +151,7 @@ class _Reader:
         if isinstance(node, (ast.JoinedStr, ast.BinOp)):
             return any(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in ast.walk(node))
         if isinstance(node, ast.Attribute):
-            return self._is_constant(ast.unparse(node)) or node.attr.isupper()
+            return self._is_constant(written(node)) or node.attr.isupper()
         if not isinstance(node, ast.Name):
             return False
         looped = self._loop_of(node)
@@ -181,7 +182,7 @@ class _Reader:
                 return self._is_container(node.func.value)
             return called in ("enumerate", "sorted", "list", "zip") and all(map(self._is_container, node.args))
         if isinstance(node, (ast.Name, ast.Attribute)):
-            values = self._values(ast.unparse(node))
+            values = self._values(written(node))
             return bool(values) and all(isinstance(each, _CONTAINERS) and _has_text(each) for each in values)
         return False
 
@@ -195,9 +196,9 @@ class _Reader:
         for node in self.nodes:
             if isinstance(node, ast.Assign):
                 for target in node.targets:
-                    found.setdefault(ast.unparse(target), []).append(node.value)
+                    found.setdefault(written(target), []).append(node.value)
             elif isinstance(node, ast.AnnAssign) and node.value is not None:
-                found.setdefault(ast.unparse(node.target), []).append(node.value)
+                found.setdefault(written(node.target), []).append(node.value)
         return found
 
     def _is_constant(self, name: str) -> bool:

@@ -9,6 +9,7 @@ from typing import Any
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.scopes import ClassScope
 from bringup_lint.parsers.python_node.scopes import Module
@@ -294,7 +295,7 @@ def _path(node: ast.AST) -> list[str]:
 
 def _is_enum(cls: ClassScope) -> bool:
     """Whether the members of a class are no texts or numbers, but have them as names and values."""
-    return len(cls.node.bases) == 1 and ast.unparse(cls.node.bases[0]).rpartition(".")[2] == "Enum"
+    return len(cls.node.bases) == 1 and written(cls.node.bases[0]).rpartition(".")[2] == "Enum"
 
 
 def is_number(value: Any) -> bool:

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.sources.stored_values import stored
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -59,7 +60,7 @@ def device_read(ending: Ending, call: ast.Call, cls: NodeClass) -> DeviceRead | 
         return None
     if not all(_waits(ending, kind, each) for each in made):
         return None
-    owner = f"{kind}()" if isinstance(function.value, ast.Call) else ast.unparse(function.value)
+    owner = f"{kind}()" if isinstance(function.value, ast.Call) else written(function.value)
     return DeviceRead(f"{owner}.{function.attr}()", how_long, made[0])
 
 

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 
@@ -21,7 +22,7 @@ def is_endless(ending: Ending, node: ast.While) -> bool:
 
 
 def spins(node: ast.While) -> bool:
-    return any("spin" in ast.unparse(call.func) for call in own_calls(node.body))
+    return any("spin" in written(call.func) for call in own_calls(node.body))
 
 
 def has_no_exit(node: ast.While | ast.For) -> bool:
@@ -47,7 +48,7 @@ def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
         return
     for node in reached(ending.syntax, body_of(init.node), cls):
         if isinstance(node, ast.While) and is_endless(ending, node):
-            yield Endless(node, ast.unparse(node.test))
+            yield Endless(node, written(node.test))
 
 
 def is_forever(syntax: Syntax, node: ast.While) -> bool:

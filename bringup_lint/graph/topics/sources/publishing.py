@@ -9,6 +9,7 @@ from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.source import Span
 
 
@@ -41,7 +42,7 @@ def _calls(node: NodeClass, attribute: str) -> Iterator[tuple[str, bool, ast.Cal
 
 
 def _is_attribute(value: ast.AST, attribute: str) -> bool:
-    return isinstance(value, ast.Attribute) and ast.unparse(value) == attribute
+    return isinstance(value, ast.Attribute) and written(value) == attribute
 
 
 def _only_at_start(node: NodeClass) -> set[str]:

@@ -20,6 +20,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _PARTS = (
@@ -67,18 +68,18 @@ def _answer(ending: Ending, loop: ast.While, cls: NodeClass) -> Awaited | None:
     test = loop.test.operand if isinstance(loop.test, ast.UnaryOp) and isinstance(loop.test.op, ast.Not) else None
     if not isinstance(test, ast.Call) or not isinstance(test.func, ast.Attribute) or test.func.attr != "done":
         return None
-    future, function = ast.unparse(test.func.value), ending.syntax.function(loop)
+    future, function = written(test.func.value), ending.syntax.function(loop)
     if function is None:
         return None
     made = [
         each.value
         for each in walk(function)
-        if isinstance(each, ast.Assign) and any(ast.unparse(target) == future for target in each.targets)
+        if isinstance(each, ast.Assign) and any(written(target) == future for target in each.targets)
     ]
     call = made[0] if len(made) == 1 else None
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute) or call.func.attr not in _ANSWERS:
         return None
-    client = _client(cls, ast.unparse(call.func.value))
+    client = _client(cls, written(call.func.value))
     return Awaited((), client.callback_group, True) if client is not None else None
 
 
@@ -112,7 +113,7 @@ def _is_of_node(ending: Ending, cls: NodeClass, node: ast.Attribute) -> bool:
 
 def _is_waited_for(ending: Ending, value: ast.expr | None) -> bool:
     """Whether a value is an event or a future."""
-    name = ending.syntax.qualified(value) or ast.unparse(value.func) if isinstance(value, ast.Call) else ""
+    name = ending.syntax.qualified(value) or written(value.func) if isinstance(value, ast.Call) else ""
     return name.rpartition(".")[2] in ("Event", "Future", *_ANSWERS)
 
 

@@ -18,6 +18,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 UNTIL_TIMEOUT = "until its timeout"
@@ -83,7 +84,7 @@ def blocked_by_library(ending: Ending, call: ast.Call) -> Blocked | None:
 
 
 def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
-    what = f"'while {ast.unparse(node.test)}'"
+    what = f"'while {written(node.test)}'"
     if is_endless(ending, node):
         return Blocked(what, FOREVER)
     found = awaited(ending, node, cls)

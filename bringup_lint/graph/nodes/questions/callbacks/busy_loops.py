@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -62,7 +63,7 @@ class _Turn:
         if isinstance(test, ast.UnaryOp):
             return isinstance(test.op, ast.Not) and self.goes_on(test.operand)
         if isinstance(test, ast.Call):
-            return not test.args and _FLAGS.fullmatch(ast.unparse(test.func)) is not None
+            return not test.args and _FLAGS.fullmatch(written(test.func)) is not None
         return isinstance(test, (ast.Name, ast.Attribute)) or (isinstance(test, ast.Constant) and bool(test.value))
 
     def block(self, body: list[ast.stmt]) -> str | None:
@@ -179,7 +180,7 @@ class _Turn:
         return True
 
     def _is_quick_call(self, call: ast.Call) -> bool:
-        name = ast.unparse(call.func)
+        name = written(call.func)
         if name.rpartition(".")[2] == "spin_once":
             given = [each.value for each in call.keywords if each.arg == "timeout_sec"]
             return len(given) == 1 and isinstance(given[0], ast.Constant) and given[0].value == 0

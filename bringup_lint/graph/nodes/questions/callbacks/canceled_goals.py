@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ class _Goals:
     def asked(self, call: ast.Call) -> ast.expr | None:
         """The condition of a branch beside that of the call, which takes all goals that are to be canceled; None when
         the call may be about such a goal."""
-        owner = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else ""
+        owner = written(call.func.value) if isinstance(call.func, ast.Attribute) else ""
         function = self._syntax.function(call)
         found, conditions = None, 0
         for outer, name in self._syntax.within(call):
@@ -71,7 +72,7 @@ class _Goals:
             tests = (f"{owner}.{_ASKS}", f"{owner}.{_ASKS}()")
             choices = [each for each in block if isinstance(each, ast.If)] if isinstance(block, list) else []
             leaving = (each for each in choices if isinstance(each.body[-1], (ast.Return, ast.Raise)))
-            self._branches[key] = next((each.test for each in leaving if ast.unparse(each.test) in tests), None)
+            self._branches[key] = next((each.test for each in leaving if written(each.test) in tests), None)
         return self._branches[key]
 
     def _of_others(self, function: ast.AST | None) -> set[str]:
@@ -91,7 +92,7 @@ class _Goals:
 
 def _is_plain(test: ast.expr, known: set[str]) -> bool:
     """Whether a condition compares what the cancellation does not change: attributes, constants and the goal."""
-    if _WORD in ast.unparse(test).lower():
+    if _WORD in written(test).lower():
         return False
     return not any(
         isinstance(each, ast.Call) or (isinstance(each, ast.Name) and each.id in known) for each in ast.walk(test)

@@ -16,6 +16,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -53,7 +54,7 @@ def _wait(
     if waits is None:
         return None
     what, how_long, where = waits
-    return Blocking(callback, name, node, f"{ast.unparse(function)}()", how_long, where=where, inner=what)
+    return Blocking(callback, name, node, f"{written(function)}()", how_long, where=where, inner=what)
 
 
 def _in_method(nodes: Nodes, other: NodeSource, class_name: str, method: str) -> tuple[str, str, Span] | None:

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -75,11 +76,11 @@ def _later(syntax: Syntax, outer: ast.AST) -> ast.Call | None:
     """The result of the future that an assignment keeps, in the plain statements after it."""
     if not isinstance(outer, ast.Assign) or len(outer.targets) != 1:
         return None
-    kept = ast.unparse(outer.targets[0])
+    kept = written(outer.targets[0])
     for statement in syntax.after(outer):
         calls = list(own_calls([statement]))
-        reads = [each for each in calls if ast.unparse(each.func) == f"{kept}.result"]
-        others = [each for each in calls if each not in reads and _WAITS.search(ast.unparse(each.func))]
+        reads = [each for each in calls if written(each.func) == f"{kept}.result"]
+        others = [each for each in calls if each not in reads and _WAITS.search(written(each.func))]
         if others or isinstance(statement, (ast.While, ast.For, ast.Try, ast.With, ast.AsyncWith)):
             return None
         if reads:
@@ -90,4 +91,4 @@ def _later(syntax: Syntax, outer: ast.AST) -> ast.Call | None:
 
 
 def _is(node: ast.AST, kept: str) -> bool:
-    return isinstance(node, (ast.Name, ast.Attribute)) and ast.unparse(node) == kept
+    return isinstance(node, (ast.Name, ast.Attribute)) and written(node) == kept

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -83,7 +84,7 @@ def _of_loop(loop: ast.For) -> Iterator[tuple[str, ast.Name]]:
     if _ends_at_once(loop.iter):
         return
     inside = list(own(list(loop.body)))
-    waits = any(_MAY_CALL.search(ast.unparse(each.func)) for each in own_calls(list(loop.body)))
+    waits = any(_MAY_CALL.search(written(each.func)) for each in own_calls(list(loop.body)))
     if waits or any(isinstance(each, _LEAVES) for each in inside):
         return
     found = dict(_names(loop.target))
@@ -142,5 +143,5 @@ def _told(function: ast.AST) -> set[ast.AST]:
 
 
 def _tells(call: ast.Call) -> bool:
-    owner, _, name = ast.unparse(call.func).rpartition(".")
+    owner, _, name = written(call.func).rpartition(".")
     return name in _WORDING or owner.endswith(_LOGGERS)

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _SPIN = "rclpy.spin_until_future_complete"
@@ -52,7 +53,7 @@ def _request(syntax: Syntax, spin: ast.Call) -> ast.Call | None:
     made = [
         each.value
         for each in statements
-        if isinstance(each, ast.Assign) and any(ast.unparse(target) == ast.unparse(given) for target in each.targets)
+        if isinstance(each, ast.Assign) and any(written(target) == written(given) for target in each.targets)
     ]
     first = made[0] if len(made) == 1 else None
     return first if isinstance(first, ast.Call) and _sends(first) else None
@@ -64,7 +65,7 @@ def _sends(call: ast.Call) -> bool:
 
 def _client(syntax: Syntax, sent: ast.Call) -> Endpoint | None:
     """The client that sends, where it is the only one that is kept there."""
-    kept = ast.unparse(sent.func.value)  # type: ignore[attr-defined]
+    kept = written(sent.func.value)  # type: ignore[attr-defined]
     file = syntax.file
     every = (*(each for cls in file.classes for each in cls.endpoints), *file.strays)
     found = [each for each in every if each.attribute == kept and each.role == "client"]

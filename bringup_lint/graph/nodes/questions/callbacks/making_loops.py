@@ -15,6 +15,7 @@ from bringup_lint.model.cpp_source import MakingLoop
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
@@ -91,7 +92,7 @@ def _only_ends(block: ast.Try) -> bool:
 def _caught(kind: ast.expr | None) -> list[str]:
     """The last names of the exceptions that a handler takes; an empty one for all of them."""
     kinds = kind.elts if isinstance(kind, ast.Tuple) else [kind]
-    return [ast.unparse(each).rpartition(".")[2] if each is not None else "" for each in kinds]
+    return [written(each).rpartition(".")[2] if each is not None else "" for each in kinds]
 
 
 def _head(syntax: Syntax, loop: ast.While) -> Span:

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -37,7 +38,7 @@ def _first_sleeps(syntax: Syntax) -> dict[str | None, ast.Call]:
     found: dict[str | None, ast.Call] = {}
     for call in syntax.calls:
         if isinstance(call.func, ast.Attribute) and call.func.attr == "sleep":
-            found.setdefault(ast.unparse(call.func.value), call)
+            found.setdefault(written(call.func.value), call)
     return found
 
 
@@ -62,5 +63,5 @@ def _kept(syntax: Syntax, call: ast.Call) -> str | None:
     """The variable or attribute that a rate is assigned to."""
     outer = next((each for each, _ in syntax.above(call)), None)
     if isinstance(outer, ast.Assign) and len(outer.targets) == 1:
-        return ast.unparse(outer.targets[0])
+        return written(outer.targets[0])
     return None

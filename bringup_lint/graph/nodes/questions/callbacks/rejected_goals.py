@@ -17,6 +17,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -85,7 +86,7 @@ def _rejects(node: ast.If) -> bool:
     """``if not handle.accepted:`` with a branch that leaves the function."""
     test = node.test
     is_not = isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) and _is_accepted(test.operand)
-    is_false = isinstance(test, ast.Compare) and _is_accepted(test.left) and ast.unparse(test).endswith("False")
+    is_false = isinstance(test, ast.Compare) and _is_accepted(test.left) and written(test).endswith("False")
     return (is_not or is_false) and isinstance(node.body[-1], ast.Return)
 
 

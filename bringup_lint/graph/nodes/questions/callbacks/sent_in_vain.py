@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _SENDS = {
@@ -42,7 +43,7 @@ def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
         condition = _negated(syntax, asked)
         if condition is None or condition.orelse or _leaves(condition):
             continue
-        client, names = ast.unparse(asked.func.value), _SENDS[asked.func.attr]
+        client, names = written(asked.func.value), _SENDS[asked.func.attr]
         later = list(_after(syntax, condition))
         at = next((number for number, each in enumerate(later) if _is_sent(each, client, names)), None)
         if at is None:
@@ -115,4 +116,4 @@ def _after(syntax: Syntax, condition: ast.If) -> Iterator[ast.Call]:
 
 
 def _is_sent(call: ast.Call, client: str, names: tuple[str, str]) -> bool:
-    return isinstance(call.func, ast.Attribute) and call.func.attr in names and ast.unparse(call.func.value) == client
+    return isinstance(call.func, ast.Attribute) and call.func.attr in names and written(call.func.value) == client

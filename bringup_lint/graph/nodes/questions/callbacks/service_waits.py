@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _WAITS = ("wait_for_service", "wait_for_server")
@@ -60,7 +61,7 @@ def _is_wait(call: ast.Call) -> bool:
 
 def _client(wait: ast.Call) -> str:
     """What a wait is called on."""
-    return ast.unparse(wait.func.value) if isinstance(wait.func, ast.Attribute) else ""
+    return written(wait.func.value) if isinstance(wait.func, ast.Attribute) else ""
 
 
 def _is_announced(syntax: Syntax, call: ast.Call) -> bool:

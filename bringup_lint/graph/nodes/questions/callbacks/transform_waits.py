@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.values import argument
 from bringup_lint.pattern import regex
@@ -67,7 +68,7 @@ def _timeout(lookup: ast.Call) -> float:
     in seconds; 0 without one and when it is not written there as a number."""
     at = 2 if isinstance(lookup.func, ast.Attribute) and lookup.func.attr == "transform" else 3
     value = argument(lookup, at, "timeout")
-    if not isinstance(value, ast.Call) or not ast.unparse(value.func).endswith("Duration"):
+    if not isinstance(value, ast.Call) or not written(value.func).endswith("Duration"):
         return 0.0
     return sum(_number(each) for each in value.keywords)
 
@@ -80,4 +81,4 @@ def _number(part: ast.keyword) -> float:
 
 def _is_ahead(lookup: ast.Call) -> bool:
     value = argument(lookup, 2, "time")
-    return value is not None and _AHEAD.search(ast.unparse(value)) is not None
+    return value is not None and _AHEAD.search(written(value)) is not None

@@ -15,6 +15,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import children
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -61,7 +62,7 @@ def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
     body = body_of(method.node)
     calls = list(own_calls(body))
     asks = any(_method(each) in _ASKS for each in calls)
-    waits = any(_WAITS.search(ast.unparse(each.func)) for each in calls)
+    waits = any(_WAITS.search(written(each.func)) for each in calls)
     return [] if asks or waits else [call for call in _outside_try(body) if is_lookup(ending, call)]
 
 
@@ -118,4 +119,4 @@ def is_lookup(ending: Ending, call: ast.Call) -> bool:
     owner = ending.file.named(call.func.value, ending.syntax.function(call)) or ""
     if owner.startswith("tf2_ros.") and owner.endswith("Buffer"):
         return True
-    return name in _LOOKUPS and "buffer" in ast.unparse(call.func.value).lower()
+    return name in _LOOKUPS and "buffer" in written(call.func.value).lower()

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -55,14 +56,14 @@ def _published(syntax: Syntax) -> dict[str | None, list[ast.Call]]:
     found: dict[str | None, list[ast.Call]] = {}
     for call in syntax.calls:
         if isinstance(call.func, ast.Attribute) and call.func.attr == "publish":
-            found.setdefault(ast.unparse(call.func.value), []).append(call)
+            found.setdefault(written(call.func.value), []).append(call)
     return found
 
 
 def _named(node: NodeClass, kept: list[str | None]) -> int:
     """How often a class reads its publisher."""
     return sum(
-        isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and ast.unparse(each) in kept
+        isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and written(each) in kept
         for each in node.inner
     )
 

@@ -27,6 +27,7 @@ from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -157,7 +158,7 @@ def _sends(call: ast.Call, node: NodeClass) -> bool:
         return False
     if call.func.attr != "publish":
         return call.func.attr not in node.methods
-    kept = ast.unparse(call.func.value)
+    kept = written(call.func.value)
     return any(each.attribute == kept and is_motion(each) for each in node.all_endpoints)
 
 
@@ -327,7 +328,7 @@ def _ends_in_loop(nodes: Nodes, file: NodeSource, node: NodeClass) -> bool:
     if len(node.all_timers) != len(node.timers):
         return True
     called = (each for loop in loops(nodes.syntax(file), node) for each in loop.code if isinstance(each, ast.Call))
-    return any(_WRITES.search(ast.unparse(each.func)) for each in called)
+    return any(_WRITES.search(written(each.func)) for each in called)
 
 
 def is_held(endpoint: Endpoint) -> bool:

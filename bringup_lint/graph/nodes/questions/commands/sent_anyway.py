@@ -19,6 +19,7 @@ from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.pattern import regex
 
 DEPTH = 4
@@ -87,7 +88,7 @@ def _until(body: Iterable[ast.AST], sender: ast.Call) -> Iterator[ast.AST]:
 def _is_steady(test: ast.expr, moving: set[str]) -> bool:
     """Whether a condition asks for nothing but attributes that stay as they are, and numbers."""
     for each in ast.walk(test):
-        if isinstance(each, ast.Call) and ast.unparse(each.func) not in _PLAIN:
+        if isinstance(each, ast.Call) and written(each.func) not in _PLAIN:
             return False
         if is_own(each) and each.attr in moving:
             return False
@@ -120,7 +121,7 @@ def _is_stopped(node: NodeClass, sender: ast.Call) -> bool:
             function = call.func if isinstance(call, ast.Call) and call is not sender else None
             if not isinstance(function, ast.Attribute) or is_self(function.value):
                 continue
-            if _STOPS.search(function.attr) or ast.unparse(function) == ast.unparse(sender.func):
+            if _STOPS.search(function.attr) or written(function) == written(sender.func):
                 return True
     return False
 
@@ -131,7 +132,7 @@ def _looks_at_age(files: list[NodeSource], sender: ast.Call) -> bool:
     for _ in range(DEPTH):
         texts = list(_bodies(files, todo - seen))
         seen |= todo
-        if any(looks_at_age(ast.unparse(each)) for each in texts):
+        if any(looks_at_age(written(each)) for each in texts):
             return True
         todo = {called_name(call) for each in texts for call in own_calls(body_of(each))} - seen
     return False

@@ -22,6 +22,7 @@ from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -206,7 +207,7 @@ def _commanded(syntax: Syntax, node: NodeClass) -> Iterator[Loop]:
 def _moves(call: ast.AST, node: NodeClass) -> bool:
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute) or call.func.attr != "publish":
         return False
-    kept = ast.unparse(call.func.value)
+    kept = written(call.func.value)
     return any(each.attribute == kept and _is_motion(each) for each in node.all_endpoints)
 
 
@@ -224,6 +225,6 @@ def _before(file: NodeSource, node: NodeClass, name: str) -> str:
     for each in body_of(init.node):
         targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
         if any(isinstance(target, ast.Attribute) and target.attr == name for target in targets):
-            text = ast.unparse(each.value) if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value else ""
+            text = written(each.value) if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value else ""
             return "inf" if "inf" in text else text if text in ("False", "True") else ""
     return ""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -34,7 +35,7 @@ def zero_divisors(nodes: Nodes) -> Iterator[ZeroDivisor]:
             syntax = nodes.syntax(file)
             for node in file.nodes:
                 if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.FloorDiv)):
-                    name = ast.unparse(node.right) if isinstance(node.right, ast.Attribute) else ""
+                    name = written(node.right) if isinstance(node.right, ast.Attribute) else ""
                     if _VELOCITY.match(name) and not _MEASURED.search(name) and not _is_guarded(syntax, node, name):
                         yield ZeroDivisor(file, node.right, name)
 
@@ -58,11 +59,11 @@ class _Conditions:
     def of(self, function: ast.AST) -> str:
         if function not in self._texts:
             asked = (each for each in walk(function) if isinstance(each, _CONDITIONS))
-            self._texts[function] = "\n".join(map(ast.unparse, asked))
+            self._texts[function] = "\n".join(map(written, asked))
         return self._texts[function]
 
 
 def _set(syntax: Syntax) -> frozenset[str]:
     """The fields that the file sets."""
     attributes = (each for each in syntax.file.nodes if isinstance(each, ast.Attribute))
-    return frozenset(ast.unparse(each) for each in attributes if not isinstance(each.ctx, ast.Load))
+    return frozenset(written(each) for each in attributes if not isinstance(each.ctx, ast.Load))

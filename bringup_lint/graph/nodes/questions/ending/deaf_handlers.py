@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _PLAIN = frozenset({"print", "len", "str", "int", "float", "abs", "min", "max", "range", "round", "getattr", "hasattr"})
@@ -61,10 +62,10 @@ def _may_end(ending: Ending, cls: NodeClass, node: ast.AST, depth: int = 2) -> b
         return True
     if is_self(function.value):
         return function.attr not in (*cls.methods, "get_logger")
-    return not _is_of_driver(ending, cls, function) and not ast.unparse(function.value).endswith("get_logger()")
+    return not _is_of_driver(ending, cls, function) and not written(function.value).endswith("get_logger()")
 
 
 def _is_of_driver(ending: Ending, cls: NodeClass, function: ast.Attribute) -> bool:
     made = stored(ending.syntax, cls, function.value)
-    names = [ast.unparse(each.func) if isinstance(each, ast.Call) else "" for each in made]
+    names = [written(each.func) if isinstance(each, ast.Call) else "" for each in made]
     return bool(names) and all(name.startswith(_DRIVERS) for name in names)

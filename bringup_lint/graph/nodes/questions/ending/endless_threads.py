@@ -17,6 +17,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -71,7 +72,7 @@ def _of(file: NodeSource, syntax: Syntax, call: ast.Call) -> Iterator[EndlessThr
 
 def _method(target: ast.expr | None) -> str:
     """``x`` of ``self.x``."""
-    is_own = isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self"
+    is_own = isinstance(target, ast.Attribute) and written(target.value) == "self"
     return target.attr if is_own and isinstance(target, ast.Attribute) else ""
 
 

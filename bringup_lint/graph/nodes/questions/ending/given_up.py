@@ -18,6 +18,7 @@ from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.parsers.cpp_node.given_up import STAYS
 from bringup_lint.pattern import regex
 
@@ -146,7 +147,7 @@ class _GivesUp:
 
     def _in_block(self, block: list[ast.AST]) -> bool:
         calls = [each for each in block if isinstance(each, ast.Call)]
-        said = [ast.unparse(each) for each in calls if is_failure_log(each)]
+        said = [written(each) for each in calls if is_failure_log(each)]
         if not said or any(map(STAYS.search, said)) or any(called_name(each) in _ENDS for each in calls):
             return False
         flags = (each.attr for each in block if is_own(each) and isinstance(each.ctx, ast.Store))

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -62,9 +63,9 @@ def late_spins(syntax: Syntax) -> Iterator[LateSpin]:
 
 def _may_start(syntax: Syntax, spin: ast.Call) -> bool:
     """Whether the node is given to another function that may spin it in a thread."""
-    node = ast.unparse(spin.args[0]) if spin.args else ""
+    node = written(spin.args[0]) if spin.args else ""
     return any(
-        call is not spin and _STARTS.search(ast.unparse(call.func)) and node in map(ast.unparse, call.args)
+        call is not spin and _STARTS.search(written(call.func)) and node in map(written, call.args)
         for call in syntax.calls
     )
 

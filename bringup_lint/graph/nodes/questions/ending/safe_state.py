@@ -22,6 +22,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -150,7 +151,7 @@ def _covers(statement: ast.stmt, endpoint: Endpoint) -> bool:
     for call in own_calls([statement]):
         if _deactivates(call) and isinstance(call.func, ast.Attribute):
             owner = call.func.value
-            return isinstance(owner, ast.Call) or ast.unparse(owner) == endpoint.attribute
+            return isinstance(owner, ast.Call) or written(owner) == endpoint.attribute
     return False
 
 

@@ -14,6 +14,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
@@ -47,7 +48,7 @@ def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstruct
         if syntax.qualified(call) in _SHUTDOWNS:
             made = next(_made_after(syntax, call), None)
             if made is not None:
-                yield ShutConstructor(call, made, ast.unparse(made.func), _is_logged(syntax, node, call))
+                yield ShutConstructor(call, made, written(made.func), _is_logged(syntax, node, call))
                 return
 
 

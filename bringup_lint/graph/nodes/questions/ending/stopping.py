@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 STOPS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
@@ -166,7 +167,7 @@ def _how(ending: Ending, call: ast.Call, block: list[ast.stmt]) -> str:
         if above is outer:
             break
         if isinstance(above, (ast.If, ast.While, ast.IfExp, ast.BoolOp)):
-            return "skipped" if "ok()" in ast.unparse(getattr(above, "test", above)) else "perhaps"
+            return "skipped" if "ok()" in written(getattr(above, "test", above)) else "perhaps"
         if isinstance(above, ast.With) or (isinstance(above, ast.Try) and name == "body" and above.handlers):
             return "caught"
     return "raises"

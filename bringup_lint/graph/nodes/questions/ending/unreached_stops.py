@@ -19,6 +19,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -95,4 +96,4 @@ def _stops_hardware(call: ast.Call) -> bool:
     function = call.func
     if not isinstance(function, ast.Attribute) or not _STOPS.fullmatch(function.attr):
         return False
-    return not _OTHERS.search(ast.unparse(function.value))
+    return not _OTHERS.search(written(function.value))

@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.file_calls import OPENS
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -55,7 +56,7 @@ def home_files(nodes: Nodes) -> Iterator[HomeFile]:
 
 
 def _in_call(homes: _Homes, file: NodeSource, syntax: Syntax, call: ast.Call) -> Iterator[HomeFile]:
-    name = ast.unparse(call.func).rpartition(".")[2]
+    name = written(call.func).rpartition(".")[2]
     is_default = name == "declare_parameter" and len(call.args) > 1
     if not is_default and not (call.args and (name in OPENS or syntax.qualified(call) in LOADS)):
         return

@@ -13,6 +13,7 @@ from bringup_lint.graph.nodes.sources.file_calls import OPENS
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -47,7 +48,7 @@ def relative_files(nodes: Nodes) -> Iterator[list[RelativeFile]]:
 
 def _in_file(nodes: Nodes, file: NodeSource, syntax: Syntax) -> Iterator[RelativeFile]:
     for call in syntax.calls:
-        name = ast.unparse(call.func).rpartition(".")[2]
+        name = written(call.func).rpartition(".")[2]
         if not call.args or not _reads(syntax, call, name):
             continue
         value = file.constant(call.args[0], syntax.function(call))

@@ -15,6 +15,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _lost(ending: Ending, call: ast.Call) -> LostCamera | None:
     flag, function = _flag(syntax, call), syntax.function(call)
     if flag is None or function is None or not _repeats(ending, call, function):
         return None
-    camera = ast.unparse(call.func.value)  # type: ignore[attr-defined]
+    camera = written(call.func.value)  # type: ignore[attr-defined]
     openings = syntax.once(_openings).get(camera, [])
     if not openings or not all(_opens_device(syntax, each) for _, each in openings):
         return None
@@ -93,16 +94,16 @@ def _openings(syntax: Syntax) -> dict[str, list[tuple[ast.AST, ast.expr | None]]
             outer = next(syntax.above(node))[0]
             value = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
             if not isinstance(value, ast.Constant) or value.value is not None:
-                found.setdefault(ast.unparse(node), []).append((node, value))
+                found.setdefault(written(node), []).append((node, value))
         elif isinstance(node, ast.arg):
             found.setdefault(node.arg, []).append((node, None))
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "open":
-            found.setdefault(ast.unparse(node.func.value), []).append((node, node))
+            found.setdefault(written(node.func.value), []).append((node, node))
     return found
 
 
 def _opens_device(syntax: Syntax, value: ast.expr | None) -> bool:
-    if not isinstance(value, ast.Call) or VIDEO_FILE.search(ast.unparse(value)):
+    if not isinstance(value, ast.Call) or VIDEO_FILE.search(written(value)):
         return False
     return syntax.qualified(value) == _CAPTURE or getattr(value.func, "attr", "") == "open"
 

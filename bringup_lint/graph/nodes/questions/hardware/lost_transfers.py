@@ -21,6 +21,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.uncaught import Uncaught
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -117,8 +118,8 @@ def _is_bus(syntax: Syntax, cls: NodeClass, value: ast.expr) -> bool:
 def _local(syntax: Syntax, value: ast.expr) -> ast.Call | None:
     """The call that a function gives to the variable that it hands over."""
     made = (each for each in own(body_of(syntax.function(value))) if isinstance(each, ast.Assign))
-    written = ast.unparse(value)
-    found = next((each.value for each in made if written in map(ast.unparse, each.targets)), None)
+    target = written(value)
+    found = next((each.value for each in made if target in map(written, each.targets)), None)
     return found if isinstance(found, ast.Call) else None
 
 

@@ -25,6 +25,7 @@ from bringup_lint.graph.nodes.sources.uncaught import Uncaught
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -179,7 +180,7 @@ def _port_used(call: ast.Call) -> str:
     """The attribute whose method to read or write is called: ``self.port``; empty where it is none."""
     function = call.func
     is_use = isinstance(function, ast.Attribute) and function.attr in _READS and is_own(function.value)
-    return ast.unparse(function.value) if is_use else ""  # type: ignore[attr-defined]
+    return written(function.value) if is_use else ""  # type: ignore[attr-defined]
 
 
 def _ports(syntax: Syntax, driver: Driver) -> dict[str, ast.Call]:
@@ -189,7 +190,7 @@ def _ports(syntax: Syntax, driver: Driver) -> dict[str, ast.Call]:
         if isinstance(node, (ast.Assign, ast.AnnAssign)) and not _is_none(node.value):
             for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
                 if is_own(target):
-                    values.setdefault(ast.unparse(target), []).append(node.value)
+                    values.setdefault(written(target), []).append(node.value)
     opened = {name: _opened(syntax, given) for name, given in values.items()}
     return {name: call for name, call in opened.items() if call is not None}
 

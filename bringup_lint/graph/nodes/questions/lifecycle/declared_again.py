@@ -16,6 +16,7 @@ from bringup_lint.model.declared_again import DeclaredAgain
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ class _Guards:
         if id(function) not in self._functions:
             inside = list(ast.walk(function)) if function is not None else []
             fixed = (each for each in inside if isinstance(each, ast.Assign) and isinstance(each.value, ast.Constant))
-            flags = {ast.unparse(target) for each in fixed for target in each.targets}
+            flags = {written(target) for each in fixed for target in each.targets}
             branches = [each for each in inside if isinstance(each, ast.If) and _knows(each, flags)]
             left = min((each.lineno for each in branches if _leaves(each)), default=math.inf)
             self._functions[id(function)] = {id(each) for each in branches}, left
@@ -73,11 +74,11 @@ class _Guards:
 
 
 def _knows(branch: ast.If, flags: set[str]) -> bool:
-    test = ast.unparse(branch.test)
+    test = written(branch.test)
     return GUARD.search(test) is not None or any(flag in test for flag in flags)
 
 
 def _leaves(branch: ast.If) -> bool:
     """Whether a branch leaves the function or this round of its loop, and not for a failure."""
     last = branch.body[-1]
-    return isinstance(last, (ast.Return, ast.Continue)) and not _FAILS.search(ast.unparse(last))
+    return isinstance(last, (ast.Return, ast.Continue)) and not _FAILS.search(written(last))

@@ -10,6 +10,7 @@ from itertools import islice
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -75,7 +76,7 @@ def _given(syntax: Syntax, value: ast.expr) -> str | None:
         value = outer.value
     if not isinstance(value, (ast.List, ast.Tuple)) or not all(isinstance(each, ast.Attribute) for each in value.elts):
         return None
-    owners = {ast.unparse(each.value) for each in value.elts if isinstance(each, ast.Attribute)}
+    owners = {written(each.value) for each in value.elts if isinstance(each, ast.Attribute)}
     found = _order(each.attr for each in value.elts if isinstance(each, ast.Attribute))
     return found if len(owners) == 1 else None
 
@@ -99,7 +100,7 @@ def _taken(syntax: Syntax, call: ast.Call) -> tuple[ast.expr, str] | None:
         return None
     target = outer.targets[0]
     if isinstance(target, (ast.Tuple, ast.List)):
-        matches = [_LETTER.match(ast.unparse(each).replace(".", "_")) for each in target.elts]
+        matches = [_LETTER.match(written(each).replace(".", "_")) for each in target.elts]
         found = _order(each[1] if each is not None else "?" for each in matches)
         return (target, found) if found is not None else None
     if not isinstance(target, ast.Name) or len(_stores(syntax, target)) != 1 or _is_changed(syntax, target):

@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.node_source import DERIVED
 from bringup_lint.model.node_source import MEASURED
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.restamped import INTENDED
 from bringup_lint.pattern import regex
@@ -58,7 +59,7 @@ def _in_callback(file: NodeSource, function: FunctionNode, kind: str) -> Iterato
     stamps: dict[str, ast.Assign] = {}
     frames: dict[str, ast.Assign] = {}
     for each in _assignments(function):
-        target, value = ast.unparse(each.targets[0]), ast.unparse(each.value)
+        target, value = written(each.targets[0]), written(each.value)
         if isinstance(each.targets[0], ast.Name):
             called = value.partition("(")[0].rpartition(".")[2] if isinstance(each.value, ast.Call) else ""
             made[target] = kind if value == message else called

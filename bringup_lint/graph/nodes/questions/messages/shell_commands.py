@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -94,7 +95,7 @@ class _Mentions:
 
     @memo
     def of(self, method: ast.AST) -> frozenset[str]:
-        return frozenset(ast.unparse(each) for each in walk(method) if is_own(each))
+        return frozenset(written(each) for each in walk(method) if is_own(each))
 
 
 def _text_fields(nodes: Nodes, node: NodeClass, callback: Callback) -> frozenset[str]:
@@ -133,7 +134,7 @@ def _commands(
             if not _is_known(flow, each, messages, texts):
                 yield each
         elif _keeps(flow, each, messages, texts):
-            flow.kept.add(ast.unparse(each.func.value))  # type: ignore[attr-defined]
+            flow.kept.add(written(each.func.value))  # type: ignore[attr-defined]
         elif depth:
             yield from _through(flow, each, messages, texts, depth, seen)
 
@@ -144,7 +145,7 @@ def _assign(flow: _Flow, each: ast.Assign, messages: set[str], texts: set[str]) 
         messages |= names
     elif _is_text(flow, each.value, messages, texts):
         texts |= names
-        flow.kept.update(ast.unparse(target) for target in each.targets if is_own(target))
+        flow.kept.update(written(target) for target in each.targets if is_own(target))
 
 
 def _is_message(value: ast.AST, messages: set[str]) -> bool:
@@ -195,7 +196,7 @@ def _is_text(flow: _Flow, value: ast.AST, messages: set[str], texts: set[str]) -
         return value.id in texts
     if isinstance(value, ast.Attribute):
         is_field = _is_message(value.value, messages) and value.attr in flow.fields
-        return is_field or (is_own(value) and ast.unparse(value) in flow.kept)
+        return is_field or (is_own(value) and written(value) in flow.kept)
     if isinstance(value, ast.Subscript):
         return _is_text(flow, value.value, messages, texts)
     if isinstance(value, _JOINS):

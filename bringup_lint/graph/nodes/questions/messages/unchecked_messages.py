@@ -24,6 +24,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -148,7 +149,7 @@ def _reading(types: MessageTypes, reader: str, node: ast.AST) -> Fault | None:
     if field is None or types.of(field) != "string":
         return None
     kind = _READERS[reader]
-    return Fault(node, [ast.unparse(field)], f"whose {field.attr} {kind.what}", kind.raises, True)
+    return Fault(node, [written(field)], f"whose {field.attr} {kind.what}", kind.raises, True)
 
 
 def _lookup(types: MessageTypes, cls: NodeClass, node: ast.AST) -> Fault | None:
@@ -161,7 +162,7 @@ def _lookup(types: MessageTypes, cls: NodeClass, node: ast.AST) -> Fault | None:
     values = _values(types.syntax, cls, node.value)
     if len(values) != 1 or not _is_written_out(values[0]):
         return None
-    names = [ast.unparse(key), ast.unparse(node.value)]
+    names = [written(key), written(node.value)]
     return Fault(node, names, f"whose {key.attr} is no key of {names[1]}", "KeyError", True)
 
 
@@ -209,7 +210,7 @@ def _of_joystick(types: MessageTypes, node: ast.Subscript, index: int) -> Fault 
         return None
     if types.of(field.value) != JOYSTICK:
         return None
-    return Fault(node, [ast.unparse(field)], f"with {index} {field.attr} or fewer", "IndexError", False)
+    return Fault(node, [written(field)], f"with {index} {field.attr} or fewer", "IndexError", False)
 
 
 def _most(types: MessageTypes, node: ast.AST) -> Fault | None:
@@ -225,7 +226,7 @@ def _of_array(types: MessageTypes, node: ast.expr, array: ast.expr, raises: str)
     field = _array(types, array)
     if field is None:
         return None
-    return Fault(node, [ast.unparse(array), ast.unparse(field)], f"without {field.attr}", raises, False)
+    return Fault(node, [written(array), written(field)], f"without {field.attr}", raises, False)
 
 
 def _array(types: MessageTypes, node: ast.expr) -> ast.Attribute | None:
@@ -285,7 +286,7 @@ class _Asked:
 
 
 def _named(parts: Iterator[ast.AST]) -> frozenset[str]:
-    return frozenset(ast.unparse(part) for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
+    return frozenset(written(part) for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
 
 
 def _leaves(branch: ast.If) -> bool:

@@ -18,6 +18,7 @@ from bringup_lint.model.node_source import TRANSFORM
 from bringup_lint.model.node_source import reports_joints
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _is_sent(syntax: Syntax, call: ast.Call, kind: str) -> bool:
         return _is_moving(syntax, call)
     if published(syntax, call, syntax.class_of(call)) is not None:
         return True
-    kept = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else None
+    kept = written(call.func.value) if isinstance(call.func, ast.Attribute) else None
     return any(each.role == "publisher" and each.attribute == kept for each in syntax.file.strays)
 
 
@@ -163,7 +164,7 @@ def _is_moving(syntax: Syntax, call: ast.Call) -> bool:
     kind = syntax.file.named(call.func.value, syntax.function(call)) or ""
     if kind.rpartition(".")[2] != "TransformBroadcaster":
         return False
-    return "static" not in ast.unparse(call.func.value).lower() and "Static" not in _around(syntax, call)
+    return "static" not in written(call.func.value).lower() and "Static" not in _around(syntax, call)
 
 
 def _around(syntax: Syntax, call: ast.Call) -> str:

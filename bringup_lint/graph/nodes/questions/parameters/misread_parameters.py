@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Misread
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import type_of_default
+from bringup_lint.model.python import written
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -57,7 +58,7 @@ def _is_declared_again(syntax: Syntax, declared: Parameter) -> bool:
 def _asks_type(syntax: Syntax, node: ast.AST) -> bool:
     """Whether the place is under a condition on a type."""
     outers = (outer for outer, _ in syntax.within(node) if isinstance(outer, (ast.If, ast.IfExp)))
-    return any("type" in ast.unparse(outer.test).lower() for outer in outers)
+    return any("type" in written(outer.test).lower() for outer in outers)
 
 
 def _asked(value: ast.expr) -> str | None:

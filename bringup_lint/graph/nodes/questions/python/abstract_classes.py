@@ -11,6 +11,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -143,7 +144,7 @@ class _Classes:
                 other = self.of(plain, each.file)
                 if other is not None:
                     found += [other] if other not in found else []
-                elif (each.file.qualified(plain) or ast.unparse(plain)) not in _EMPTY:
+                elif (each.file.qualified(plain) or written(plain)) not in _EMPTY:
                     return []
         return found
 

@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.tree_imports import definitions
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.model.python_calls import misfit
 from bringup_lint.named_tuple import NamedTuple
 
@@ -53,7 +54,7 @@ def _overridden(nodes: Nodes) -> set[tuple[str, str]]:
     """The names of the classes on which others of the tree build, each with the methods that these define."""
     classes = (each for file in nodes.sources for each in file.nodes if isinstance(each, ast.ClassDef))
     return {
-        (ast.unparse(base).rpartition(".")[2], method.name)
+        (written(base).rpartition(".")[2], method.name)
         for each in classes
         for base in each.bases
         for method in _methods(each)
@@ -77,7 +78,7 @@ def _in_file(nodes: Nodes, file: NodeSource, overridden: set[tuple[str, str]]) -
             named = function.name if function is not None else None
             idle = is_idle(syntax, call) or is_late(syntax, call)
             caught = syntax.catches(call, _CAUGHT)
-            called = ast.unparse(call.func)
+            called = written(call.func)
             yield UnfitCall(file, call, called, wrong, found.function, found.file, named, caught, idle)
 
 

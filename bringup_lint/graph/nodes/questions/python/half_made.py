@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.callback_code import reached
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def _leaves(syntax: Syntax, node: NodeClass, handler: ast.ExceptHandler) -> bool
 
 
 def _exits(syntax: Syntax, node: ast.AST) -> bool:
-    return isinstance(node, ast.Call) and (syntax.qualified(node) or ast.unparse(node.func)) in _EXITS
+    return isinstance(node, ast.Call) and (syntax.qualified(node) or written(node.func)) in _EXITS
 
 
 def _shuts_down(node: ast.AST) -> bool:
@@ -95,7 +96,7 @@ def _made(statement: ast.Try) -> Iterator[ast.Attribute]:
         is_risky |= any(isinstance(part, ast.Call) for part in walk(each))
         targets = each.targets if isinstance(each, ast.Assign) else []
         for target in targets:
-            if is_risky and isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self":
+            if is_risky and isinstance(target, ast.Attribute) and written(target.value) == "self":
                 yield target
 
 

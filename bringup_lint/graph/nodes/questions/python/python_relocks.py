@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -68,9 +69,9 @@ class _Class:
         for method in (methods[0] for methods in self._methods.values() if self._locks):
             for block, _ in _run(method):
                 for lock in self._taken(block):
-                    again = self._again(block, ast.unparse(lock))
+                    again = self._again(block, written(lock))
                     if again is not None:
-                        name = ast.unparse(lock)
+                        name = written(lock)
                         place, second, through = again
                         relock = PythonRelock(self._file, place, lock, second, name, through)
                         found.setdefault(name, []).append(relock)
@@ -78,7 +79,7 @@ class _Class:
 
     def _taken(self, node: ast.AST) -> list[ast.expr]:
         items = node.items if isinstance(node, ast.With) else []
-        return [each.context_expr for each in items if ast.unparse(each.context_expr) in self._locks]
+        return [each.context_expr for each in items if written(each.context_expr) in self._locks]
 
     def _again(self, block: ast.AST, lock: str) -> tuple[ast.expr, ast.expr, str | None] | None:
         """The first place inside a ``with`` that asks for its lock again, unless something gives it back."""
@@ -86,7 +87,7 @@ class _Class:
         if any(isinstance(each, ast.Attribute) and each.attr == "release" for each in inner):
             return None
         for each in inner:
-            second = next((taken for taken in self._taken(each) if ast.unparse(taken) == lock), None)
+            second = next((taken for taken in self._taken(each) if written(taken) == lock), None)
             if second is not None:
                 return second, second, None
             second = self._locked_by(each, lock, DEPTH)
@@ -114,7 +115,7 @@ class _Class:
     def _locked_in(self, name: str, lock: str, depth: int) -> ast.expr | None:
         for each, is_certain in _run(self._methods[name][0]):
             if is_certain:
-                second = next((taken for taken in self._taken(each) if ast.unparse(taken) == lock), None)
+                second = next((taken for taken in self._taken(each) if written(taken) == lock), None)
                 second = second or self._locked_by(each, lock, depth - 1)
                 if second is not None:
                     return second

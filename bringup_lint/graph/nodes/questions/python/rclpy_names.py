@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.what_ends import end_of
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 _ANNOTATIONS = ("annotation", "returns")
@@ -52,6 +53,6 @@ def _is_run(syntax: Syntax, node: ast.AST, lazy: bool) -> bool:
     for outer, field in syntax.above(node):
         if field in _ANNOTATIONS and (lazy or (isinstance(outer, ast.AnnAssign) and syntax.function(node) is not None)):
             return False
-        if isinstance(outer, ast.If) and "TYPE_CHECKING" in ast.unparse(outer.test):
+        if isinstance(outer, ast.If) and "TYPE_CHECKING" in written(outer.test):
             return False
     return True

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.what_ends import EXITS
 from bringup_lint.graph.nodes.sources.what_ends import TRY_BLOCK
 from bringup_lint.graph.nodes.sources.what_ends import end_where_called
 from bringup_lint.model.python import last_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -153,7 +154,7 @@ class _Loggers:
             return self._is_made(value)
         if not isinstance(value, (ast.Name, ast.Attribute)) or self._is_imported(value):
             return False
-        kept = self._kept.get(ast.unparse(value), [])
+        kept = self._kept.get(written(value), [])
         is_made = bool(kept) and all(isinstance(each, ast.Call) and self._is_made(each) for each in kept)
         return is_made and (isinstance(value, ast.Name) or self._is_of_same_class(value, kept))
 
@@ -203,5 +204,5 @@ class _Loggers:
             elif isinstance(node, (ast.Name, ast.Attribute)) and not isinstance(node.ctx, ast.Load):
                 outer = next(self._syntax.above(node), (node, ""))[0]
                 value = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
-                found.setdefault(ast.unparse(node), []).append(value if value is not None else outer)
+                found.setdefault(written(node), []).append(value if value is not None else outer)
         return found

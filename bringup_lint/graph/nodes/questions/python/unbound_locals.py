@@ -18,6 +18,7 @@ from bringup_lint.model.python import PlacedNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -154,7 +155,7 @@ class _Locals:
         if not isinstance(loop, ast.While) or handler.type is None:
             return False
         asks = any(isinstance(each, ast.Attribute) and each.attr in _ASKS_LENGTH for each in walk(loop.test))
-        return asks and ast.unparse(handler.type).rpartition(".")[2] == "Empty"
+        return asks and written(handler.type).rpartition(".")[2] == "Empty"
 
     def after_choices(self) -> Iterator[Unbound]:
         """Uses after an ``if`` without ``else`` that alone gives a name its value, in each of its branches; one after
@@ -287,7 +288,7 @@ class _Locals:
     def _has_others(self, choice: ast.If) -> bool:
         """Whether another chain of the file that compares the same has an ``else`` which goes on."""
         handled = self._syntax.once(_handled)
-        return isinstance(choice.test, ast.Compare) and ast.unparse(choice.test.left) in handled
+        return isinstance(choice.test, ast.Compare) and written(choice.test.left) in handled
 
 
 def _branches(choice: ast.If) -> list[list[ast.stmt]] | None:
@@ -331,7 +332,7 @@ def _compared(test: ast.AST) -> _Compared | None:
     else:
         return None
     words = frozenset(each.value for each in values if isinstance(each, ast.Constant) and isinstance(each.value, str))
-    return _Compared(ast.unparse(test.left), words) if len(words) == len(values) else None
+    return _Compared(written(test.left), words) if len(words) == len(values) else None
 
 
 def _compared_words(syntax: Syntax) -> dict[str, frozenset[str]]:
@@ -361,7 +362,7 @@ def _handled(syntax: Syntax) -> frozenset[str]:
             while len(last.orelse) == 1 and isinstance(last.orelse[0], ast.If):
                 last = last.orelse[0]
             if last is not choice and not isinstance(last.orelse[-1], (ast.Raise, ast.Return)):
-                found.add(ast.unparse(choice.test.left))
+                found.add(written(choice.test.left))
     return frozenset(found)
 
 
@@ -383,7 +384,7 @@ def _may_fail(node: ast.AST) -> bool:
     """Whether an expression is a call, but none that only makes a message."""
     if not isinstance(node, ast.Call):
         return False
-    name = ast.unparse(node.func).rpartition(".")[2]
+    name = written(node.func).rpartition(".")[2]
     if name in _NEVER_RAISES:
         return False
     return bool(node.args or node.keywords) or not name[:1].isupper()
