@@ -61,7 +61,7 @@ MOST = 200_000
 
 
 @rule(
-    "warning",
+    "info",
     confidence="medium",
     symptoms=["CUDA driver version is insufficient", "no CUDA-capable device is detected"],
 )

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
+from bringup_lint.graph.memo import kept
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.python import walk
 from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
@@ -18,6 +20,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.workspace import Package
     from bringup_lint.graph.workspace import Workspace
@@ -82,7 +85,7 @@ class Declared(NamedTuple):
 def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[str, Declared]:
     """Parameter -> type, for the names that a package declares with one type wherever it declares them."""
     found: dict[str, Declared | None] = {}
-    for source in _sources(files, workspace, package):
+    for source in _sources(files.tree, workspace, package):
         if source.matches(_LOOSE):
             return {}
         for each in _declarations(source):
@@ -95,7 +98,7 @@ def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[st
 
 def declarations_in(files: Files, workspace: Workspace, package: Package) -> Iterator[Declared]:
     """Every declaration in the sources of a package; the type is empty where it is not known."""
-    for source in _sources(files, workspace, package):
+    for source in _sources(files.tree, workspace, package):
         yield from _declarations(source)
 
 
@@ -114,10 +117,21 @@ def mentions(files: Files, package: Package, word: str) -> bool:
 def may_declare(files: Files, workspace: Workspace, package: Package, executable: str, name: str) -> bool:
     """Whether a node of a package may declare a parameter: a source of the workspace, where its class may come from,
     names it, takes every name or one that it makes up, or nothing is known of its sources."""
-    if next(_sources(files, workspace, package), None) is None or _is_of_others(files, package, executable):
+    if next(_sources(files.tree, workspace, package), None) is None or _is_of_others(files, package, executable):
         return True
-    sources = (source for each in workspace.packages.values() for source in _sources(files, workspace, each))
-    return any(name in source.text or source.matches(_UNKNOWN) for source in sources)
+    return _is_declared(workspace, name)
+
+
+@memo
+def _is_declared(workspace: Workspace, name: str) -> bool:
+    return any(name in source.text or source.matches(_UNKNOWN) for source in _declaring(workspace))
+
+
+@kept
+def _declaring(workspace: Workspace) -> tuple[Source, ...]:
+    """The sources of all packages that declare parameters."""
+    packages = workspace.packages.values()
+    return tuple(source for each in packages for source in _sources(workspace.tree, workspace, each))
 
 
 def _is_of_others(files: Files, package: Package, executable: str) -> bool:
@@ -127,15 +141,15 @@ def _is_of_others(files: Files, package: Package, executable: str) -> bool:
     return bool(module) and (source is None or "declare_parameter" not in source.text)
 
 
-def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:
+def _sources(tree: Tree, workspace: Workspace, package: Package) -> Iterator[Source]:
     count = 0
-    for path in files.tree.walked_below(package.folder):
+    for path in tree.walked_below(package.folder):
         if not path.endswith(SUFFIXES):
             continue
         if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
             continue
         count += 1
-        source = files.tree.at(path)
+        source = tree.at(path)
         if source is None or "declare_parameter" not in source.text:
             if source is not None and source.matches(_LOOSE):
                 yield source

@@ -7,12 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.params.naming import BUILD
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.workspace import Package
     from bringup_lint.model.params import ParameterFile
     from bringup_lint.source import Source
 
@@ -40,20 +42,31 @@ def severity_of_refusal(params: Params, file: ParameterFile) -> str | None:
 def is_left(params: Params, file: ParameterFile) -> bool:
     """Whether the tree starts nodes, nothing of it names a file, and nothing that may know its package puts the name
     together or takes what is in a folder."""
-    return _is_unused(params, file) and not params.is_used(file) and not _may_be_composed(params, file)
+    return not params.is_used(file) and not _may_be_composed(params, file) and _is_unused(params, file)
 
 
 def _may_be_composed(params: Params, file: ParameterFile) -> bool:
-    workspace = params.launch().workspace
-    owner = workspace.owner(file.source)
-    name = file.source.basename
-    others = (each for each in params.files.sources if each is not file.source and each.kind not in BUILD)
-    askers = ((each, workspace.owner(each)) for each in others if params.files.purpose(each) is not Purpose.CI)
+    owner, name = params.launch().workspace.owner(file.source), file.source.basename
+    ends = _askers(params)
+    askers = (each for at in range(1, len(name)) for each in ends.get(name[at:], ()))
     return any(
-        (owner is None or asker is None or asker is owner or owner.name in each.text)
-        and any(name.endswith(end) and name != end for end in _ends(each))
-        for each, asker in askers
+        owner is None or asker is None or asker is owner or owner.name in source.text
+        for source, asker in askers
+        if source is not file.source
     )
+
+
+@kept
+def _askers(params: Params) -> dict[str, list[tuple[Source, Package | None]]]:
+    """End of names that a text puts together -> the sources that do, with their packages."""
+    found: dict[str, list[tuple[Source, Package | None]]] = {}
+    owner = params.launch().workspace.owner
+    for source in params.files.sources:
+        ends = _ends(source) if source.kind not in BUILD else ()
+        if ends and params.files.purpose(source) is not Purpose.CI:
+            for end in ends:
+                found.setdefault(end, []).append((source, owner(source)))
+    return found
 
 
 def _ends(source: Source) -> frozenset[str]:
