@@ -10,7 +10,7 @@ from tests.lint import lint
 from tests.rules.test_fixtures import set_modes
 
 ROBOTS = PROJECT / "fixtures" / "robots"
-ARGUMENTS = ("--root", ".", "--min-severity", "info", "--output-format", "concise", "/")
+ARGUMENTS = ("--root", ".", "--now", "2026-06-01", "--min-severity", "info", "--output-format", "concise", "/")
 
 
 def names() -> list[str]:
