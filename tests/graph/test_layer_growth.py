@@ -261,10 +261,16 @@ def ends(size: int) -> str:
     return BOAT.format(f"void row() {{ {row} }}\n")
 
 
+def switched(size: int) -> str:
+    row = "".join(f'declare_parameter<bool>("dry{each}", "false");\n' for each in range(size * 3))
+    return BOAT.format(f'Boat() : Node("boat") {{ {row} }}\n')
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
     [
+        ("node/bool-from-text", switched),
         ("node/component-ends-container", ended),
         ("node/transform-unhandled", looked_up),
         ("node/shutdown-goes-on", shut),

@@ -40,7 +40,6 @@ from bringup_lint.parsers.cpp_node.nested_spins import nested_spins
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
-from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
 from bringup_lint.parsers.cpp_node.profiles import Profiles
 from bringup_lint.parsers.cpp_node.races import races
 from bringup_lint.parsers.cpp_node.repeated_branches import repeated_branches
@@ -52,6 +51,7 @@ from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import TEXT
 from bringup_lint.parsers.cpp_node.text_limits import too_much
+from bringup_lint.parsers.cpp_node.texts_as_bool import texts_as_bool
 from bringup_lint.parsers.cpp_node.threads import late_joins
 from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
@@ -129,6 +129,7 @@ def parse(source: Source) -> CppNode:
     node.canceled = list(canceled(code, node.callbacks[:CALLBACKS]))
     node.unchecked_elements = list(unchecked_elements(code, node.callbacks[:CALLBACKS]))
     node.divisors = list(divisors(code))
+    node.texts_as_bool = list(texts_as_bool(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     if RESTAMPS.search(source.text):
         node.restamped = list(restamped(code))
@@ -165,7 +166,6 @@ def _read_calls(node: CppNode, code: Code, names: Names) -> None:
         node.callbacks += [each[1] for each in (made, clocked) if each is not None and each[1] is not None]
         node.parameters += declarations(code, call)
         node.reads += reads(code, call)
-        node.texts_as_bool += texts_as_bool(code, call)
         node.declares_others |= is_open(code, call)
 
 

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Read
-from bringup_lint.model.cpp_source import TextAsBool
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -19,13 +18,6 @@ if TYPE_CHECKING:
 
 DECLARING = ("declare_parameter", "declare_parameters", "declare_parameter_if_not_declared", "declare_or_get_parameter")
 _READING = {"get_parameter": True, "get_parameter_or": False, "has_parameter": False}
-_DEFAULTS = {"declare_parameter": 1, "get_parameter_or": -1}
-"""Where calls take the value of a parameter that nothing sets."""
-_UNCONDITIONAL = frozenset(
-    "expression_statement declaration init_declarator assignment_expression call_expression field_expression "
-    "argument_list".split()
-)
-"""What is between a call and its block where each run of the block makes it."""
 _NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")
 
 
@@ -67,43 +59,3 @@ def reads(code: Code, call: Call) -> Iterator[Read]:
         name = code.literal(call.arguments[0])
         if name is not None:
             yield Read(name, _READING[call.name] and len(call.arguments) == 1)
-
-
-def texts_as_bool(code: Code, call: Call) -> Iterator[TextAsBool]:
-    """The default of a ``bool`` that is a string literal, whose address converts to true."""
-    at = _DEFAULTS.get(call.name)
-    if at is None or len(call.arguments) < 2 or "".join(code.text(call.template).split()) != "<bool>":
-        return
-    given = call.arguments[at]
-    text = code.literal(given) if given.type == "string_literal" else None
-    if text is not None:
-        name = code.literal(call.arguments[0])
-        yield TextAsBool(name, text, name is not None and _is_declared_before(code, call, name))
-
-
-def _is_declared_before(code: Code, call: Call, name: str) -> bool:
-    """Whether a statement before a call, in a block around it, has declared the parameter and given it a value."""
-    around = {outer.id for outer in code.above(call.node)}
-    return any(
-        each.name in DECLARING
-        and each.node.start_byte < call.node.start_byte
-        and _owner(each) == _owner(call)
-        and declared(code, each)[0] == name
-        and (each.template is not None or constant(code, declared(code, each)[1]) is not None)
-        and _block_of(code, each) in around
-        for each in code.calls
-    )
-
-
-def _owner(call: Call) -> str:
-    return call.qualified.removesuffix(call.name).removeprefix("this->")
-
-
-def _block_of(code: Code, call: Call) -> int:
-    """The block of which each run makes a call; 0 where something decides about it."""
-    for outer in code.above(call.node):
-        if outer.type == "compound_statement":
-            return outer.id
-        if outer.type not in _UNCONDITIONAL:
-            return 0
-    return 0
