@@ -291,26 +291,30 @@ class _Locals:
         return isinstance(choice.test, ast.Compare) and written(choice.test.left) in handled
 
 
+def _chain(choice: ast.If) -> list[ast.If]:
+    """An ``if`` and all its ``elif``."""
+    chain = [choice]
+    while len(chain[-1].orelse) == 1 and isinstance(chain[-1].orelse[0], ast.If):
+        chain.append(chain[-1].orelse[0])
+    return chain
+
+
 def _branches(choice: ast.If) -> list[list[ast.stmt]] | None:
     """The branches of an ``if`` and of all ``elif`` that do not leave it; None with an ``else``."""
-    branches = [choice.body]
-    while len(choice.orelse) == 1 and isinstance(choice.orelse[0], ast.If):
-        choice = choice.orelse[0]
-        branches.append(choice.body)
-    return branches if not choice.orelse else None
+    chain = _chain(choice)
+    return None if chain[-1].orelse else [each.body for each in chain]
 
 
 def _is_whole(syntax: Syntax, choice: ast.If) -> bool:
     """Whether a chain has a branch for each architecture, asks for nothing else, and the file knows of no other."""
-    asked = [_compared(test) for test in _tests(choice)]
+    asked = [_compared(each.test) for each in _chain(choice)]
     words = frozenset().union(*(each.words for each in asked if each is not None))
     first = asked[0]
     if first is None or any(each is None or each.subject != first.subject for each in asked):
         return False
     if any(words.isdisjoint(names) for names in _MACHINES):
         return False
-    known = syntax.once(_compared_words).get(first.subject, frozenset())
-    return known <= frozenset().union(*_MACHINES)
+    return syntax.once(_compared_words)[first.subject] <= frozenset().union(*_MACHINES)
 
 
 class _Compared(NamedTuple):
@@ -335,33 +339,22 @@ def _compared(test: ast.AST) -> _Compared | None:
     return _Compared(written(test.left), words) if len(words) == len(values) else None
 
 
-def _compared_words(syntax: Syntax) -> dict[str, frozenset[str]]:
+def _compared_words(syntax: Syntax) -> dict[str, set[str]]:
     """What is compared with texts -> all of these in the file."""
-    found: dict[str, frozenset[str]] = {}
-    for node in syntax.file.nodes:
-        compared = _compared(node)
+    found: dict[str, set[str]] = {}
+    for compared in map(_compared, syntax.file.nodes):
         if compared is not None:
-            found[compared.subject] = found.get(compared.subject, frozenset()) | compared.words
+            found.setdefault(compared.subject, set()).update(compared.words)
     return found
-
-
-def _tests(choice: ast.If) -> Iterator[ast.expr]:
-    """The conditions of an ``if`` and of all its ``elif``."""
-    yield choice.test
-    while len(choice.orelse) == 1 and isinstance(choice.orelse[0], ast.If):
-        choice = choice.orelse[0]
-        yield choice.test
 
 
 def _handled(syntax: Syntax) -> frozenset[str]:
     """What the chains of a file compare that have an ``elif`` and an ``else`` which goes on."""
     found: set[str] = set()
     for choice in syntax.file.nodes:
-        if isinstance(choice, ast.If) and isinstance(choice.test, ast.Compare) and _branches(choice) is None:
-            last = choice
-            while len(last.orelse) == 1 and isinstance(last.orelse[0], ast.If):
-                last = last.orelse[0]
-            if last is not choice and not isinstance(last.orelse[-1], (ast.Raise, ast.Return)):
+        if isinstance(choice, ast.If) and isinstance(choice.test, ast.Compare):
+            last = _chain(choice)[-1]
+            if last is not choice and last.orelse and not isinstance(last.orelse[-1], (ast.Raise, ast.Return)):
                 found.add(written(choice.test.left))
     return frozenset(found)
 
