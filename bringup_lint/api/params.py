@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.declared_types import declared_type
     from bringup_lint.graph.params.declared_types import is_never_read
+    from bringup_lint.graph.params.left_files import is_left
     from bringup_lint.graph.params.questions.camera_urls import RefusedUrl
     from bringup_lint.graph.params.questions.camera_urls import refused_urls
     from bringup_lint.graph.params.questions.covariances import Lopsided
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.unread import unread
     from bringup_lint.graph.params.questions.wrong_types import WrongType
     from bringup_lint.graph.params.questions.wrong_types import wrong_types
-    from bringup_lint.graph.params.refused_files import is_left
     from bringup_lint.graph.params.refused_files import severity_of_refusal
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.values import holds_maps
