@@ -6,6 +6,7 @@ import ast
 import os
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
@@ -20,7 +21,6 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.workspace import Package
     from bringup_lint.graph.workspace import Workspace
@@ -82,10 +82,10 @@ class Declared(NamedTuple):
     """The name in the source."""
 
 
-def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[str, Declared]:
+def declared_in(workspace: Workspace, package: Package) -> dict[str, Declared]:
     """Parameter -> type, for the names that a package declares with one type wherever it declares them."""
     found: dict[str, Declared | None] = {}
-    for source in _sources(files.tree, workspace, package):
+    for source in _sources(workspace, package):
         if source.matches(_LOOSE):
             return {}
         for each in _declarations(source):
@@ -96,9 +96,9 @@ def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[st
     return {name: each for name, each in found.items() if each is not None and each.type}
 
 
-def declarations_in(files: Files, workspace: Workspace, package: Package) -> Iterator[Declared]:
+def declarations_in(workspace: Workspace, package: Package) -> Iterator[Declared]:
     """Every declaration in the sources of a package; the type is empty where it is not known."""
-    for source in _sources(files.tree, workspace, package):
+    for source in _sources(workspace, package):
         yield from _declarations(source)
 
 
@@ -117,7 +117,7 @@ def mentions(files: Files, package: Package, word: str) -> bool:
 def may_declare(files: Files, workspace: Workspace, package: Package, executable: str, name: str) -> bool:
     """Whether a node of a package may declare a parameter: a source of the workspace, where its class may come from,
     names it, takes every name or one that it makes up, or nothing is known of its sources."""
-    if next(_sources(files.tree, workspace, package), None) is None or _is_of_others(files, package, executable):
+    if not _sources(workspace, package) or _is_of_others(files, package, executable):
         return True
     return _is_declared(workspace, name)
 
@@ -131,7 +131,7 @@ def _is_declared(workspace: Workspace, name: str) -> bool:
 def _declaring(workspace: Workspace) -> tuple[Source, ...]:
     """The sources of all packages that declare parameters."""
     packages = workspace.packages.values()
-    return tuple(source for each in packages for source in _sources(workspace.tree, workspace, each))
+    return tuple(source for each in packages for source in _sources(workspace, each))
 
 
 def _is_of_others(files: Files, package: Package, executable: str) -> bool:
@@ -141,21 +141,19 @@ def _is_of_others(files: Files, package: Package, executable: str) -> bool:
     return bool(module) and (source is None or "declare_parameter" not in source.text)
 
 
-def _sources(tree: Tree, workspace: Workspace, package: Package) -> Iterator[Source]:
-    count = 0
-    for path in tree.walked_below(package.folder):
-        if not path.endswith(SUFFIXES):
-            continue
-        if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
-            continue
-        count += 1
-        source = tree.at(path)
-        if source is None or "declare_parameter" not in source.text:
-            if source is not None and source.matches(_LOOSE):
-                yield source
-            continue
-        if workspace.owner(source) is package:
-            yield source
+@memo
+def _sources(workspace: Workspace, package: Package) -> tuple[Source, ...]:
+    """The sources of a package that declare parameters, or may do so through another one."""
+    paths = (path for path in workspace.tree.walked_below(package.folder) if path.endswith(SUFFIXES))
+    own = (path for path in paths if not _TESTS.search(path[len(package.folder) :]))
+    sources = (workspace.tree.at(path) for path in islice(own, FILES))
+    return tuple(source for source in sources if source is not None and _may_be_of(workspace, package, source))
+
+
+def _may_be_of(workspace: Workspace, package: Package, source: Source) -> bool:
+    if "declare_parameter" in source.text:
+        return workspace.owner(source) is package
+    return source.matches(_LOOSE)
 
 
 def _of_python(source: Source) -> Iterator[Declared]:

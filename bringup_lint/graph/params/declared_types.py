@@ -22,7 +22,7 @@ def declarations(params: Params, name: str) -> list[Declared]:
 
     workspace = params.launch().workspace
     package = workspace.packages.get(name)
-    return list(declarations_in(params.files, workspace, package)) if package else []
+    return list(declarations_in(workspace, package)) if package else []
 
 
 def declared_type(params: Params, parameter: Parameter) -> str | None:

@@ -214,7 +214,7 @@ class Params:
 
         workspace = self.launch().workspace
         package = workspace.packages.get(name) if name else None
-        return declared_in(self.files, workspace, package) if package else {}
+        return declared_in(workspace, package) if package else {}
 
     @cached_property
     def typed(self) -> list[tuple[Parameter, Declared]]:
