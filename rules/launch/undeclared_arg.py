@@ -6,7 +6,8 @@ or sets `x`. The declaration in a file that it includes comes too late; an argum
 that is only handed on to it is left alone. A certain read in a Python file is an error, unless a command of the tree
 passes the argument; other reads are warnings. If the file reads more than two such names, or another launch file
 mentions it, it is probably part of a larger launch file, and the finding is info, as it is where each command of the
-tree that launches the file passes the argument.
+tree that launches the file passes the argument, and where a declaration without a default is not added: the argument
+must be passed with it, too.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody passes `x:=…` by hand. A unit that
@@ -54,6 +55,9 @@ from bringup_lint.api.spelling import nearest
 
 OWN = ("ros_namespace", "ros_remaps", "global_params")
 """launch_ros keeps these among the launch configurations."""
+DECLARE = "DeclareLaunchArgument"
+LONGEST = 600
+"""Characters after the name of an argument that its declaration takes."""
 
 
 LEVELS: dict[str | None, int] = {None: 0, "warning": 1, "info": 2}
@@ -113,9 +117,8 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
 def unlisted(file: LaunchFile, name: str) -> list[Related]:
     """The declaration that a Python file makes, and leaves out of its launch description."""
     text = file.source.text
-    named = rf"(?:name\s*=\s*)?['\"](?P<name>{re.escape(name)})['\"]"
-    made = re.search(rf"(?:\b(?P<kept>\w+)\s*=\s*)?DeclareLaunchArgument\(\s*{named}", text)
-    if made is None or file.format != "python":
+    made = declaration(file, name)
+    if made is None:
         return []
     kept = re.escape(made["kept"] or "")
     if kept and len(re.findall(rf"(?<!['\"])\b{kept}\b(?!['\"])", text)) == 1:
@@ -129,11 +132,30 @@ def unlisted(file: LaunchFile, name: str) -> list[Related]:
     ]
 
 
+def declaration(file: LaunchFile, name: str) -> re.Match[str] | None:
+    """The call of a Python file that declares an argument."""
+    if file.format != "python":
+        return None
+    named = rf"(?:name\s*=\s*)?['\"](?P<name>{re.escape(name)})['\"]"
+    return re.search(rf"(?:\b(?P<kept>\w+)\s*=\s*)?{DECLARE}\(\s*{named}", file.source.text)
+
+
+def must_be_passed(file: LaunchFile, name: str) -> bool:
+    """Whether a Python file declares an argument without a default."""
+    made = declaration(file, name)
+    if made is None:
+        return False
+    rest = file.source.text[made.end() : made.end() + LONGEST].partition(DECLARE)[0]
+    return "default_value" not in rest and re.match(r"\s*,\s*(?!\w+\s*=)[^\s)]", rest) is None
+
+
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
     """A file gets its arguments from others if it is a test, if it reads many configurations, if another file mentions
     it, if it only hands the configuration on to what it includes, as files in XML do for a scope around them, or if
     all commands pass it."""
     if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry) or is_test(expansion.entry):
+        return "info"
+    if must_be_passed(used.file, str(used.argument.name)):
         return "info"
     if used.file.format != "python" and handed_on(expansion, used):
         return "info"
