@@ -2,11 +2,11 @@
 
 ## What it finds
 A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one is
-meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package or the
-executable, or holds what only the program of this node declares. Also a file that is for none of the nodes of a launch
-file, where one beside it has a block for the node that gets it. The name is that of the launch file, else the one that
-the source gives. It is a warning where the values are those that the program has by itself. Silent for components,
-containers and names that are not known.
+meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package, the
+executable or as a public program calls itself (`ekf_filter_node`), or holds what only the program of this node
+declares. Also a file that is for none of the nodes of a launch file, where one beside it has a block for the node that
+gets it. The name is that of the launch file, else the one that the source gives. It is a warning where the values are
+those that the program has by itself. Silent for components, containers and names that are not known.
 
 ## Why it matters on a robot
 All parameters keep the defaults of the code, without any message. It shows when the robot drives. Only a node that

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros.parameters import OF_EVERY_NODE
+from bringup_lint.facts.ros.parameters import PublicNode
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
@@ -27,6 +28,7 @@ from bringup_lint.spelling import numbered
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.model.parameter_words import ParameterWords
 
 VALUES = ("nested-list", "mixed-list", "list-of-maps")
 """Problems of single values: the blocks around them are read all the same."""
@@ -52,7 +54,7 @@ class Mismatch(NamedTuple):
     def changes_nothing(self, topics: Topics) -> bool:
         """Whether the block holds what the program of the node takes by itself."""
         node = self.load.node
-        public = public_node(str(literal_text(node.package)), str(literal_text(node.plugin or node.executable)))
+        public = _public(self.load)
         defaults = public.defaults if public is not None else topics.defaults_beside(node) | topics.defaults(node)
         given = [(each.name, each.value.data) for each in self.block.parameters if each.name not in OF_EVERY_NODE]
         if public is not None:
@@ -111,7 +113,8 @@ class _Matching:
         kinds = [(block, _meant(block, name)) for block in blocks]
         yield from (Mismatch(file, block, load, name, kind) for block, kind in kinds if kind is not None)
         for block in blocks:
-            if _is_named_after(block, load, missed) or self._is_declared(block, load, loads):
+            named = _is_named_after(block, load, missed)
+            if named or self._is_declared(block, load, loads) or self._is_of_public(block, load, missed):
                 yield Mismatch(file, block, load, name, True)
         twins = [block for block in blocks if self._is_twin(file, block, load, loads)]
         if len(twins) == 1 and all(each.node.action is load.node.action for each in missed):
@@ -127,13 +130,33 @@ class _Matching:
 
     def _is_declared(self, block: Block, load: Load, loads: list[Load]) -> bool:
         """Whether the program of a node, and of no other one that gets the file, names all parameters of a block."""
-        names = {str(each.name) for each in block.parameters} - set(OF_EVERY_NODE)
-        if len(names) < _TELLING or "/" in block.name.strip("/") or "*" in block.name:
+        names = _telling(block)
+        if not names:
             return False
         programs = {id(each.node.action): self.topics.parameter_words(each.node) for each in loads}
         own = programs.pop(id(load.node.action))
-        others = [words for words in programs.values() if words is None or len(names & words.texts) > len(names) / 2]
+        others = [words for words in programs.values() if words is None or _names_most(words, names)]
         return own is not None and names <= own.texts and not others
+
+    def _is_of_public(self, block: Block, load: Load, missed: list[Load]) -> bool:
+        """Whether a block is for the public program of a node, and of no other one that no block reaches: it has a name
+        that the program gives itself, or holds only what this program declares."""
+        public, names = _public(load), _telling(block)
+        if public is None or not names:
+            return False
+        declared = not public.has_plugins and all(map(public.declares, names))
+        others = [each for each in missed if each.node.action is not load.node.action]
+        return (declared or block.name.strip("/") in public.names) and not any(
+            self._may_declare(each, names) for each in others
+        )
+
+    def _may_declare(self, load: Load, names: frozenset[str]) -> bool:
+        """Whether a node may declare most of some parameters."""
+        public = _public(load)
+        if public is not None:
+            return len(list(filter(public.declares, names))) > len(names) / 2
+        words = self.topics.parameter_words(load.node)
+        return words is None or _names_most(words, names)
 
     def unmatched(self) -> Iterator[Mismatch]:
         for file, loads in certain(self.params):
@@ -168,6 +191,22 @@ class _Matching:
 
 def _program(load: Load) -> tuple[str, str]:
     return str(literal_text(load.node.package)), str(literal_text(load.node.plugin or load.node.executable))
+
+
+def _names_most(words: ParameterWords, names: frozenset[str]) -> bool:
+    return len(names & words.texts) > len(names) / 2
+
+
+def _public(load: Load) -> PublicNode | None:
+    return public_node(*_program(load))
+
+
+def _telling(block: Block) -> frozenset[str]:
+    """The parameters of a block that say for which program it is; none where its name is for a namespace or for several
+    nodes."""
+    names = frozenset(str(each.name) for each in block.parameters).difference(OF_EVERY_NODE)
+    is_plain = "/" not in block.name.strip("/") and "*" not in block.name
+    return names if is_plain and len(names) >= _TELLING else frozenset()
 
 
 def certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
