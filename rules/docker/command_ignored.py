@@ -57,12 +57,12 @@ class Dropped(NamedTuple):
 
 @rule("error", silent="the entrypoint runs, and the command is dropped without a message")
 def command_ignored(robot: Robot) -> Iterator[Finding]:
-    seen = set()
+    seen: set[Span] = set()
     for runner in robot.runners.in_containers:
         dropped = _dropped(runner)
-        if dropped is None or dropped.command in seen:
+        if dropped is None or _span(dropped.command) in seen:
             continue
-        seen.add(dropped.command)
+        seen.add(_span(dropped.command))
         yield finding(
             dropped.command,
             f"{dropped.why}: this command never runs in {runner.name}",
@@ -70,6 +70,10 @@ def command_ignored(robot: Robot) -> Iterator[Finding]:
             related=[note(dropped.entrypoint, "the entrypoint")],
             severity="info" if _runs_the_same(runner, dropped) else None,
         )
+
+
+def _span(place: Located | Span) -> Span:
+    return place.span if isinstance(place, Located) else place
 
 
 def _runs_the_same(runner: Runner, dropped: Dropped) -> bool:
@@ -101,7 +105,7 @@ def _dropped(runner: Runner) -> Dropped | None:
 
 def _is_part(program: Located, entrypoint: Located | Span) -> bool:
     """Whether the entrypoint names the program: after ``tini --`` comes that of the command, which does run."""
-    whole = entrypoint.span if isinstance(entrypoint, Located) else entrypoint
+    whole = _span(entrypoint)
     return program.span.source is whole.source and whole.start <= program.span.start < max(whole.end, whole.start + 1)
 
 

@@ -3,7 +3,8 @@
 ## What it finds
 In the list form of ENTRYPOINT, CMD, `entrypoint:` and `command:`: a whole command line as one word, a shell that is
 given a command line without `-c`, a shell with `-c` whose command is only the first of several words, and a word in
-single quotes of its own where no shell or script reads them.
+single quotes of its own where no shell or script reads them. What an entrypoint in shell form drops is left to
+`docker/command-ignored`.
 
 ## Why it matters on a robot
 Docker starts the first word as a program, and looks for one with blanks in its name. A shell without `-c` takes its
@@ -89,8 +90,8 @@ def _wrong(words: tuple[Located, ...]) -> Wrong | None:
             f"This is one word: there is no program called '{first}', and the container does not start",
             "write each word by itself",
         )
-    if program_name(first) not in SHELLS or not rest:
-        return None
+    if program_name(first) not in SHELLS or not rest or first.span == rest[0].span:
+        return None  # the last is true of a shell that Docker puts before an entrypoint in shell form
     if LINE.match(rest[0]):
         return Wrong(
             rest[0],
