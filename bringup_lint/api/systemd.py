@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.questions.docker_clients import DockerStart
     from bringup_lint.graph.systemd.questions.docker_clients import docker_pulls
     from bringup_lint.graph.systemd.questions.docker_clients import docker_starts
+    from bringup_lint.graph.systemd.questions.docker_clients import docker_stop
     from bringup_lint.graph.systemd.questions.ending import set_up
     from bringup_lint.graph.systemd.questions.hidden_home import HiddenHome
     from bringup_lint.graph.systemd.questions.hidden_home import hidden_home
@@ -131,6 +132,7 @@ __all__ = [
     "directives",
     "docker_pulls",
     "docker_starts",
+    "docker_stop",
     "duration",
     "edits_to_wait",
     "file_capabilities",

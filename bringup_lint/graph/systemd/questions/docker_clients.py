@@ -15,6 +15,7 @@ from bringup_lint.source import Located
 _CLIENTS = frozenset({"docker", "nvidia-docker"})
 _COMPOSE = frozenset({"docker-compose"})
 _STARTING = frozenset({"run", "start", "up"})
+_STOPPING = frozenset({"down", "stop", "kill", "rm"})
 _IGNORES = "--ignore-pull-failures"
 _OWN_REGISTRIES = ("localhost", "127.0.0.1", "$", "{")
 _DAEMON_OPTIONS = frozenset({"-H", "--host", "-c", "--context", "--config", "-l", "--log-level"})
@@ -48,6 +49,11 @@ class DockerStart(NamedTuple):
 def docker_starts(process: Process) -> Iterator[DockerStart]:
     """The commands of a process by which the Docker daemon of this machine starts containers."""
     return _commands(process, _STARTING)
+
+
+def docker_stop(process: Process) -> Located | None:
+    """The word by which a process takes containers down."""
+    return next((each.verb for each in _commands(process, _STOPPING)), None)
 
 
 def docker_pulls(process: Process) -> Iterator[Located]:
