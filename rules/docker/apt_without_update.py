@@ -7,7 +7,8 @@ NVIDIA's. `rosdep install` where no step of the image ever ran `apt-get update` 
 be there already; `rosdep update` fetches other lists.
 
 Silent after a step that may update the lists in a way that is not seen: a script, `add-apt-repository`, a program that
-is piped into a shell, and a cache that is mounted at `/var/lib/apt`.
+is piped into a shell, and a cache that is mounted at `/var/lib/apt`. A setup file of ROS or of a workspace updates
+nothing.
 
 ## Why it matters on a robot
 The build ends with "Unable to locate package", on the first machine that has no cached layer: often that is the robot,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.containers.base_images import has_no_package_lists
@@ -12,6 +14,8 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile import commands_of_run
+from bringup_lint.parsers.shell import blocks
+from bringup_lint.parsers.shell import flatten
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -21,6 +25,11 @@ _UPDATES = frozenset(
     " python3 python".split()
 )
 """What updates the lists itself, or may start what does."""
+_ENVIRONMENT = regex(
+    r"(?:^|.*/)(?:opt/ros/[^/]{1,40}|install(?:/[\w-]{1,80})?)/(?:local_)?setup\.(?:ba|z)?sh"
+    r"|.*/bin/activate|/etc/(?:os|lsb)-release"
+)
+"""What only sets variables when a shell reads it."""
 _COPIED = regex(r"/var(?:/lib(?:/apt(?:/lists)?)?)?/?[\"\]\s]*$|^/[\s,]+/$")
 _LISTS = regex(r"/var/lib/apt(?:/lists)?(?:/\*?)?")
 _CACHED = regex(r"--mount=(?:[^\s=]{1,40}=[^\s,]{0,200},){0,9}(?:target|dst)=/var/lib/apt")
@@ -70,7 +79,19 @@ def _commands(stage: Stage) -> Iterator[Command | None]:
         elif instruction.exec_form is not None or any(_CACHED.match(flag) for flag in instruction.flags):
             yield None
         else:
-            yield from commands_of_run(instruction)
+            for command in commands_of_run(instruction):
+                yield from _inner(command)
+
+
+def _inner(command: Command) -> Iterator[Command]:
+    """The commands of the text that a shell is given, where its failure is that of the step; else the command."""
+    words = unwrapped(command.words)
+    is_shell = bool(words) and program_name(words[0]) in SHELLS and not command.depth
+    read = shell_input(words[1:]) if is_shell and command.ends not in ("||", "|") else None
+    if read is None or read.text is None:
+        yield command
+    else:
+        yield from flatten(blocks(read.text))
 
 
 def _after(lists: _Lists, command: Command | None) -> _Lists:
@@ -80,6 +101,8 @@ def _after(lists: _Lists, command: Command | None) -> _Lists:
     name = program_name(words[0]) if words else ""
     if name in _PROGRAMS and "update" in words:
         return _Lists()
+    if name in ("source", ".") and len(words) == 2 and _ENVIRONMENT.fullmatch(words[1]):
+        return lists
     if name in _UPDATES or (words and ("/" in words[0] or "$" in words[0]) and name not in _PROGRAMS):
         return _Lists()
     if name == "rm" and not command.depth and command.ends != "||":
