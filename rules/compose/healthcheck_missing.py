@@ -2,8 +2,8 @@
 
 ## What it finds
 `depends_on` with `condition: service_healthy` for a service without `healthcheck` (or with a disabled one) whose image
-has none either: an official image (ROS, Ubuntu, Debian, postgres, redis, eclipse-mosquitto and others), or one that a
-Dockerfile of the tree builds on such an image without HEALTHCHECK.
+has none either: an official image (ROS, Ubuntu, Debian, postgres, redis, eclipse-mosquitto and others), the agent of
+micro-ROS, or one that a Dockerfile of the tree builds on such an image without HEALTHCHECK.
 
 ## Why it matters on a robot
 docker compose stops with "dependency failed to start: container ... has no healthcheck configured": the service that

@@ -48,9 +48,10 @@ _LARGE = regex(r"desktop|perception|simulation")
 _OTHER_SYSTEM = regex(r"alpine|ubi\d|rocky|centos|windows")
 _UNCHECKED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?|alpine|busybox|eclipse-mosquitto|httpd|influxdb|memcached|mongo|mysql"
-    r"|nginx|node|postgres|python|rabbitmq|redis|telegraf)(?:[:@].*)?"
+    r"|microros/micro-ros-agent|nginx|node|postgres|python|rabbitmq|redis|telegraf)(?:[:@].*)?"
 )
-"""Official images are published without a check (github.com/docker-library/faq, "healthcheck")."""
+"""Official images are published without a check (github.com/docker-library/faq, "healthcheck"); that of the agent of
+micro-ROS too (github.com/micro-ROS/docker, micro-ROS-Agent/Dockerfile)."""
 _OF_ROOT = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
     r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
