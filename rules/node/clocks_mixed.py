@@ -1,10 +1,11 @@
 """A C++ callback subtracts or compares times of different clocks, which throws.
 
 ## What it finds
-A member of type `rclcpp::Time` that the class makes without a clock, as `rclcpp::Time last_;` or `{0, 0}`, and a
-callback that compares it with `now()` of the node or the stamp of a message, or takes their difference, before
-anything else has set the member: because only the same callback sets it, after that, or because only a subscription
-does and the callback is that of a timer. Silent where a condition or an early return guards the first time.
+A member of type `rclcpp::Time` that the class makes without a clock, as `rclcpp::Time last_;` or `{0, 0}`, or with
+`RCL_SYSTEM_TIME`, and a callback that compares it with `now()` of the node or the stamp of a message, or takes their
+difference, before anything else has set the member: because only the same callback sets it, after that, or because
+only a subscription does and the callback is that of a timer or of another subscription. Silent where a condition or an
+early return guards the first time.
 
 ## Why it matters on a robot
 A default-made `rclcpp::Time` has the clock `RCL_SYSTEM_TIME`, those of nodes and messages `RCL_ROS_TIME`. The operators
@@ -57,7 +58,7 @@ def clocks_mixed(robot: Robot) -> Iterator[Finding]:
             f"This throws {when}: '{use.name}' is made with the system clock, and the other time has the ROS clock",
             advice=f"make it with the clock of the node: rclcpp::Time {use.name}{{0, 0, RCL_ROS_TIME}};",
             related=[
-                note(first.member.name, "made without a clock here"),
+                note(first.member.name, "made with the system clock here"),
                 *set_later,
                 *(note(each.use.place, f"'{each.use.name}' has the same mistake") for each in others),
             ],

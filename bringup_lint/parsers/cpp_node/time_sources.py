@@ -23,8 +23,8 @@ _ROS_TIME = regex(r"\bnow\s{0,4}\(|\bstamp\b", hints="now stamp")
 _NOW = regex(r"(?:this->|\w{0,40}(?i:node)\w{0,40}(?:\(\))?(?:->|\.))?(?:get_clock\(\)->)?now\(\)\Z")
 _STAMP = regex(r"(?P<open>(?:rclcpp::)?Time[({])?[\w.>\[\]-]{1,80}\bheader\.stamp(?(open)[)}])\Z")
 _TIME = regex(r"(?:rclcpp::)?Time\Z")
-_UNSET = regex(r"(?:(?:rclcpp::)?Time)?(?:[({](?:0(?:,0)?)?[)}])?\Z")
-"""A default that leaves the clock ``RCL_SYSTEM_TIME`` (rclcpp, time.hpp)."""
+_UNSET = regex(r"(?:(?:rclcpp::)?Time)?(?:[({](?:0(?:,0)?(?:,RCL_SYSTEM_TIME)?)?[)}])?\Z")
+"""A default with the clock ``RCL_SYSTEM_TIME``, which is that of a time without one (rclcpp, time.hpp)."""
 _COMPARED = frozenset({"-", "<", ">", "<=", ">="})
 """Operators that throw for times of different clocks (rclcpp, time.cpp)."""
 _HELD = regex(r"->\s{0,4}cancel\s{0,4}\(")
@@ -40,7 +40,7 @@ NAMES = 60
 
 
 def time_members(code: Code) -> Iterator[TimeMember]:
-    """The members of type ``rclcpp::Time`` that a class makes without a clock."""
+    """The members of type ``rclcpp::Time`` that a class makes with the system clock."""
     for node in code.written.get("field", ()):
         declarators = [each for each in node.named_children if each.type == "field_identifier"]
         if len(declarators) != 1 or not _TIME.match("".join(code.text(node.child_by_field_name("type")).split())):
@@ -95,6 +95,7 @@ def _method(bodies: Bodies, body: Node) -> Node:
 def _first_use(code: Code, run: dict[int, Callback], name: str) -> TimeUse | None:
     differences: list[Node] = []
     stores: list[Node] = []
+    asked = False
     for use in code.uses(name):
         place = _operand(code, use)
         parent = place.parent if place is not None else None
@@ -104,11 +105,13 @@ def _first_use(code: Code, run: dict[int, Callback], name: str) -> TimeUse | Non
             stores.append(parent)
         elif _is_difference(code, parent, place):
             differences.append(parent)
+        elif _is_asked(code, parent, place):
+            asked = True
         elif not _is_plain(code, parent, place):
             return None
-    if not differences:
-        return None
-    return _unset(code, run, name, differences[0], stores)
+    found = _unset(code, run, name, differences[0], stores) if differences else None
+    body = code.body_of(differences[0]) if found is not None and asked else None
+    return None if body is not None and _leaves(code, body, differences[0]) else found
 
 
 def _operand(code: Code, use: Node) -> Node | None:
@@ -148,6 +151,12 @@ def _initial(code: Code, node: Node, name: str) -> str:
     return "".join(code.text(inside[0].child_by_field_name("value")).split()) if len(inside) == 1 else ""
 
 
+def _is_asked(code: Code, parent: Node, place: Node) -> bool:
+    """Whether a place asks a time for its number, as one does to see whether it is set."""
+    is_object = parent.type == "field_expression" and parent.child_by_field_name("argument") == place
+    return is_object and code.text(parent.child_by_field_name("field")) in ("seconds", "nanoseconds")
+
+
 def _is_plain(code: Code, parent: Node, place: Node) -> bool:
     """Whether a place only declares the member, or initialises it without a clock."""
     if parent.type == "field_initializer":
@@ -167,7 +176,8 @@ def _unset(code: Code, run: dict[int, Callback], name: str, use: Node, stores: l
         return None
     if others and _HELD.search(code.source.text):
         return None
-    if others and not (callback.role == "timer" and _comes_later(code, run, others) and not _leaves(code, body, use)):
+    waits = callback.role in ("timer", "subscription") and _comes_later(code, run, others)
+    if others and (not waits or _leaves(code, body, use)):
         return None
     method = next((each for each in (body, *code.above(body)) if each.type == "function_definition"), None)
     if method is None:
