@@ -42,6 +42,8 @@ _EXPANDING = frozenset({"shell-script", "env-file"})
 """Kinds that know variables themselves: what is not known in them cannot be told from what is wrong."""
 _NOT_JOINED = regex(r"launch|python|params|package|cmake|authorized-keys|ssh-")
 _COPIES = frozenset({"cp", "install", "ln", "mv", "rsync"})
+_OF_SYSTEM = regex(r"/(?:etc|usr|lib|opt|srv|home|boot)/")
+"""Where a script puts what the robot uses, and no copy that is kept aside."""
 _VALUED = {"install": ("-o", "-g", "-m", "-S"), "rsync": ("-e",), "cp": ("-S",), "mv": ("-S",), "ln": ("-S",)}
 
 
@@ -195,7 +197,7 @@ def _place(files: Files, placed: dict[str, str]) -> None:
             continue
         if source is None:
             _claim(files, path, place)
-        elif source.robot_path is None:
+        elif source.robot_path is None or (source.robot_path != place and _OF_SYSTEM.match(place)):
             files.tree.place(source, place)
 
 

@@ -113,6 +113,16 @@ def test_a_copied_file_knows_its_path_on_the_robot(tmp_path: Path, command: str)
     assert source.robot_path == "/etc/udev/rules.d/imu.rules"
 
 
+@pytest.mark.parametrize(
+    ("target", "place"),
+    [("/etc/udev/rules.d/", "/etc/udev/rules.d/imu.rules"), ("/tmp/kept/", "/etc/imu.rules")],
+)
+def test_a_script_knows_better_than_the_name_of_a_folder(tmp_path: Path, target: str, place: str) -> None:
+    robot = robot_of(tmp_path, setup_sh=f"cp deploy/etc/imu.rules {target}", deploy__etc__imu_rules=RULE + "\n")
+    (source,) = robot.of_kind("udev-rules")
+    assert source.robot_path == place
+
+
 def test_a_file_that_only_its_place_makes_one_of_a_kind(tmp_path: Path) -> None:
     robot = robot_of(tmp_path, setup_sh="cp files/imu.rules /etc/udev/rules.d/", files__imu_rules='"KERNEL==x\n')
     assert [source.robot_path for source in robot.of_kind("udev-rules")] == ["/etc/udev/rules.d/imu.rules"]
