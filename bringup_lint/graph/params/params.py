@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.naming import Naming
+    from bringup_lint.graph.workspace import Package
 
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
@@ -201,11 +202,22 @@ class Params:
 
     def _declared_in_own(self, file: ParameterFile, parameter: Parameter) -> Declared | None:
         """How the package of a file declares a parameter for its program of the name of the block: a command line, as
-        in a unit or compose file, gives the program the file."""
+        in a unit or compose file, gives the program the file. For a file outside of all packages, the only package
+        with such a program."""
+        program = parameter.block.name.strip("/")
         owner = self.launch().workspace.owner(file.source)
-        if owner is None or parameter.block.name.strip("/") not in owner.executables or not self.is_used(file):
+        owners = self._by_program.get(program, []) if owner is None else [owner] * (program in owner.executables)
+        if len(owners) != 1 or not self.is_used(file):
             return None
-        return self.declared_by(owner.name).get(parameter.name)
+        return self.declared_by(owners[0].name).get(parameter.name)
+
+    @cached_property
+    def _by_program(self) -> dict[str, list[Package]]:
+        found: dict[str, list[Package]] = {}
+        for package in self.launch().workspace.packages.values():
+            for program in package.executables:
+                found.setdefault(program, []).append(package)
+        return found
 
     @memo
     def declared_by(self, name: str | None) -> dict[str, Declared]:
