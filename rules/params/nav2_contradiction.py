@@ -14,10 +14,11 @@ not have, and critics of which none looks at obstacles; limits of `velocity_smoo
 the same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the
 collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of the global one; a topic or
 `robot_base_frame` of one costmap, or the scan of amcl, that nothing else of the robot names, where the other costmap
-has another one that is named elsewhere; a `model_dt` of MPPI below the period of its server; a `data_type` that
-obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. A
-`default_bt_xml_filename` that names the tree which Nav2 takes anyway is an info, and so is what ends no server in the
-files of tests. Layers with `enabled: false` are left alone.
+has another one that is named elsewhere; `allow_reversing` beside `use_rotate_to_heading` in Galactic and Humble; a
+`model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and from Jazzy on
+libraries in `plugin_lib_names` that bt_navigator loads by itself. A `default_bt_xml_filename` that names the tree which
+Nav2 takes anyway is an info, and so is what ends no server in the files of tests. Layers with `enabled: false` are left
+alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -159,6 +160,11 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
         "add {either}",
         None,
     ),
+    "reversing": (
+        "The controller turns {name} off, because {detail}: the robot never drives backwards",
+        "set use_rotate_to_heading: false for the controller that reverses",
+        None,
+    ),
     "polygon": (
         "The polygon '{name}' has no section with a type: {detail} does not configure",
         "add a section {name}, or write the name of the one that is there",
@@ -245,6 +251,7 @@ TREES = ("navigate_w_replanning_and_recovery.xml", "navigate_to_pose_w_replannin
         "Positive values set of min_velocities",
         "Negative values set of max_velocities",
         "Invalid size of parameter *. Must be size",
+        "Both use_rotate_to_heading and allow_reversing parameter cannot be set to true",
         "Controller period more then model dt, set it equal to model dt",
         "Only topics that use point cloud2s or laser scans are currently supported",
         "with base class type dwb_core::TrajectoryCritic does not exist",

@@ -19,6 +19,7 @@ from bringup_lint.graph.params.questions.navigation_blocks import numbers_of
 from bringup_lint.graph.params.questions.navigation_critics import blind_controllers
 from bringup_lint.graph.params.questions.navigation_critics import critics_of
 from bringup_lint.graph.params.questions.navigation_critics import plain
+from bringup_lint.graph.params.questions.navigation_options import lost_reversals
 from bringup_lint.graph.params.questions.navigation_shapes import hidden_zones
 from bringup_lint.graph.params.questions.navigation_shapes import inscribed_radius
 from bringup_lint.graph.params.questions.navigation_shapes import points_of
@@ -338,10 +339,11 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
 
 
 def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    """Critics that a controller does not have, and that nothing else of the tree names, as a package with critics of
-    its own does."""
+    """What a server does with its controllers; also critics that they do not have, and that nothing else of the tree
+    names, as a package with critics of its own does."""
     yield from short_steps(block)
     yield from blind_controllers(block)
+    yield from lost_reversals(block, params.distribution)
     named = by_name(block)
     for section, each, known in critics_of(named):
         for item in items(each):

@@ -17,7 +17,7 @@ class NavigationProblem(NamedTuple):
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
     ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``halves``, ``critic``, ``type``, ``clearing``,
     ``turn``, ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``, ``blind``, ``step``, ``beside``, ``base``,
-    ``stray`` or ``unlisted``."""
+    ``stray``, ``reversing`` or ``unlisted``."""
     where: Span
     name: str
     """The parameter or observation source."""
