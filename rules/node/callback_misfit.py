@@ -7,7 +7,8 @@ In Python nodes:
 - methods that take another number of arguments than their caller hands over: a subscription one, the message (or two,
   with its MessageInfo), a service two
 - callbacks of services that return nothing, and callbacks of `add_on_set_parameters_callback` that return nothing
-- actions whose execution ends the goal neither with `succeed()` nor with `abort()` or `canceled()`
+- actions whose execution ends the goal neither with `succeed()` nor with `abort()` or `canceled()`, or only with the
+  last one, in branches that leave the function
 
 It is an info in packages that others wrote and the tree only carries.
 
@@ -66,7 +67,7 @@ from bringup_lint.api import rule
 )
 def callback_misfit(robot: Robot) -> Iterator[Finding]:
     for unfit in nodes.unfit_callbacks(robot.nodes):
-        severity = "warning" if unfit.what == "goal" else "error"
+        severity = "warning" if unfit.what in ("goal", "reached") else "error"
         yield finding(
             unfit.place,
             _message(unfit, _end(robot, unfit)),
@@ -97,6 +98,8 @@ def _message(unfit: nodes.UnfitCallback, exits: str) -> str:
             return f"{unfit.name}() returns nothing: no parameter can be set, and with an older rclpy the node exits"
         case "answer":
             return f"{unfit.name}() does not return {unfit.detail}: TypeError, the client gets no answer{exits}"
+        case "reached":
+            return f"{unfit.name}() ends only goals that are canceled: those that it reaches count as aborted"
     return f"{unfit.name}() ends no goal: each one counts as aborted, also those that were reached"
 
 

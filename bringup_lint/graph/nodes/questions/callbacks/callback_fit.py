@@ -30,7 +30,8 @@ _TAKEN = {"subscription": ((1, 2), "the message"), "service": ((2, 2), "the requ
 _WITHOUT_TIMER_INFO = ("foxy", "galactic", "humble", "iron", "jazzy")
 """Releases whose timers hand nothing over. Source: rclpy, executors.py, ``_take_timer``."""
 _ANSWERS = {"service": "the response", "parameters": "a SetParametersResult"}
-_ENDS = frozenset({"succeed", "abort", "canceled"})
+_ENDS = frozenset({"succeed", "abort"})
+_CANCELED = "canceled"
 
 
 class UnfitCallback(NamedTuple):
@@ -40,7 +41,7 @@ class UnfitCallback(NamedTuple):
     place: Span
     """What is wrong there."""
     what: str
-    """``called``, ``arguments``, ``answer`` or ``goal``."""
+    """``called``, ``arguments``, ``answer``, ``goal`` or ``reached``: a goal that is ended only when it is canceled."""
     name: str
     detail: str
     """What the caller hands over, or needs."""
@@ -88,8 +89,9 @@ def _unfit(nodes: Nodes, file: NodeSource, node: NodeClass, callback: Callback) 
     answer = _ANSWERS.get(callback.role)
     if answer is not None and _gives_nothing(method):
         yield UnfitCallback(file, node, callback, method.name.span, "answer", method.name, answer)
-    if callback.role == "action" and _leaves_goal_open(nodes.syntax(file), node, method.node):
-        yield UnfitCallback(file, node, callback, method.name.span, "goal", method.name, "")
+    what = _left_open(nodes.syntax(file), node, method.node) if callback.role == "action" else None
+    if what is not None:
+        yield UnfitCallback(file, node, callback, method.name.span, what, method.name, "")
 
 
 def _taken(nodes: Nodes, node: NodeClass, callback: Callback) -> tuple[tuple[int, int], str] | None:
@@ -136,17 +138,42 @@ def _is_stub(method: FunctionNode) -> bool:
     return all(isinstance(each, ast.Pass) for each in body) or isinstance(body[-1], ast.Raise)
 
 
-def _leaves_goal_open(syntax: Syntax, node: NodeClass, method: FunctionNode) -> bool:
-    """Whether a goal is executed and never ended, by a method that hands its handle to nobody else."""
+def _left_open(syntax: Syntax, node: NodeClass, method: FunctionNode) -> str | None:
+    """Which goals (``goal``: all, ``reached``: those that nobody cancels) a method executes and never ends; None where
+    it hands its handle to somebody else."""
     names = [each.arg for each in method.args.args]
     if len(names) != 2:
-        return False
+        return None
     handle = names[1]
     for each in walk(method):
         if isinstance(each, ast.Name) and each.id == handle and not _is_asked(syntax, each):
-            return False
+            return None
     inner = (*walk(method), *reached(syntax, body_of(method), node))
-    return not any(isinstance(each, ast.Attribute) and each.attr in _ENDS for each in inner)
+    called = {each.attr for each in inner if isinstance(each, ast.Attribute)}
+    if called & _ENDS:
+        return None
+    if _CANCELED not in called:
+        return "goal"
+    return "reached" if _ends_uncanceled(method) else None
+
+
+def _ends_uncanceled(method: FunctionNode) -> bool:
+    """Whether a method comes to its last ``return`` without a call of ``canceled()`` before it, other than in a branch
+    that leaves the method."""
+    *before, last = method.body
+    return isinstance(last, ast.Return) and not any(_may_cancel(each) for each in before)
+
+
+def _may_cancel(statement: ast.stmt) -> bool:
+    """Whether the method may go on after a call of ``canceled()`` in a statement."""
+    blocks = [statement.body, statement.orelse] if isinstance(statement, (ast.If, ast.For, ast.While)) else []
+    if not blocks:
+        return any(getattr(each, "attr", None) == _CANCELED for each in walk(statement))
+    return any(
+        not isinstance(block[-1], (ast.Return, ast.Raise)) and any(_may_cancel(each) for each in block)
+        for block in blocks
+        if block
+    )
 
 
 def _is_asked(syntax: Syntax, name: ast.Name) -> bool:
