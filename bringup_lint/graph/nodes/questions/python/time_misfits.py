@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
+from bringup_lint.graph.nodes.sources.parameter_types import read_type
 from bringup_lint.graph.nodes.sources.what_ends import end_of
 from bringup_lint.named_tuple import NamedTuple
 
@@ -14,6 +15,8 @@ TIME, SYSTEM_TIME, CLOCKED, DURATION = "Time of the node's clock", "Time of the 
 _TIMES = frozenset({TIME, SYSTEM_TIME, CLOCKED})
 _MESSAGES = {"builtin_interfaces/msg/Time": "Time message", "builtin_interfaces/msg/Duration": "Duration message"}
 _NUMBER = "number"
+_NUMBERS = ("double", "integer")
+"""Types of parameters."""
 _MADE = {
     "rclpy.time.Time": SYSTEM_TIME,
     "rclpy.time.Time.from_msg": TIME,
@@ -117,6 +120,8 @@ class _Kinds:
             if left == right == DURATION and isinstance(value.op, (ast.Add, ast.Sub)):
                 return DURATION
             return _result(left, value.op, right)
+        if read_type(self._types.syntax, value) in _NUMBERS:
+            return _NUMBER
         bound = [each for each in self._types.values(value) if not _is_none(each)]
         kinds = {self._of(each) for each in bound}
         if len(kinds) == 1:
