@@ -99,6 +99,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.message_fields import converted
     from bringup_lint.graph.nodes.questions.messages.message_fields import given_in_order
     from bringup_lint.graph.nodes.questions.messages.message_fields import is_checked
+    from bringup_lint.graph.nodes.questions.messages.message_fields import misplaced_constants
     from bringup_lint.graph.nodes.questions.messages.message_fields import missing_fields
     from bringup_lint.graph.nodes.questions.messages.message_fields import wrong_fields
     from bringup_lint.graph.nodes.questions.messages.message_sequences import used_as_lists
@@ -259,6 +260,7 @@ __all__ = [
     "lost_transfers",
     "making_loops",
     "misordered_quaternions",
+    "misplaced_constants",
     "misread_parameters",
     "missing_attributes",
     "missing_fields",

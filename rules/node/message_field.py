@@ -2,8 +2,11 @@
 
 ## What it finds
 Python nodes that read or set a field which the message does not have, and values of another type than the field:
-`twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number; and a
-`publish()` that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. Also
+`twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a number for a time, a text
+for a number, the value of a parameter that is declared with another type. Also constants that a message does not have,
+and those of a request that are taken from the service; what the callback for the feedback of an action gets, which
+holds the feedback itself in its field `feedback`; the `request` of the goal that a server executes; and a `publish()`
+that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. Also
 fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1; and a message that is used as if
 it were the list in one of its fields: `path[0]`, `len(scan)`, `for each in array`. The fields are those of the
 `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an info in packages that
@@ -75,10 +78,28 @@ def message_field(robot: Robot) -> Iterator[Finding]:
             lacking, *rest = sorted(uses, key=lambda use: not robot.leads_to(types.file.span_of(use.place)))
             yield finding(
                 types.file.span_of(lacking.place),
-                f"{lacking.type} has no field '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
-                advice=f"its fields are {', '.join(sorted(lacking.fields))}" if lacking.fields else "it has no fields",
-                related=[note(types.file.span_of(each.place), "the same") for each in rest],
+                f"{lacking.type} has no {lacking.kind} '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
+                advice=f"its {lacking.kind}s are {', '.join(lacking.others)}"
+                if lacking.others
+                else f"it has no {lacking.kind}s",
+                related=[
+                    note(
+                        types.file.span_of(each.place),
+                        "the same" if each.name == lacking.name else f"nor '{each.name}'",
+                    )
+                    for each in rest
+                ],
                 severity=of_values if lacking.given else severity,
+            )
+        for constant in nodes.misplaced_constants(types):
+            owner = types.file.span_of(constant.place.value)
+            name = f"{owner.text}.{constant.part}.{constant.place.attr}"
+            yield finding(
+                types.file.span_of(constant.place),
+                f"{owner.text} has no constant '{constant.place.attr}', its {constant.part} has it: AttributeError, "
+                f"and {constant.end}",
+                advice=f"write {name}",
+                severity=severity,
             )
         for first, *others in nodes.wrong_fields(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]

@@ -26,6 +26,9 @@ _PARTS = {
 }
 
 
+_FEEDBACK_MESSAGE = "_FeedbackMessage"
+
+
 class InterfaceFields:
     """Types are named as ``geometry_msgs/msg/Twist`` and ``std_srvs/srv/SetBool_Request``."""
 
@@ -37,7 +40,8 @@ class InterfaceFields:
     def fields(self, type_: str) -> Mapping[str, str] | None:
         """The fields and constants of a type; None when they are not known."""
         if type_ not in self._read:
-            self._read[type_] = self._find(type_)
+            is_sent = type_.endswith(_FEEDBACK_MESSAGE)
+            self._read[type_] = self._feedback(type_) if is_sent else self._find(type_)
         return self._read[type_]
 
     def is_fixed(self, type_: str, field: str) -> bool:
@@ -45,6 +49,13 @@ class InterfaceFields:
         package, kind, name = (*type_.split("/"), "", "")[:3]
         text = self._text(package, kind, name) if package in self._workspace.packages else None
         return text is not None and field in fixed_arrays(text)
+
+    def _feedback(self, type_: str) -> Fields | None:
+        """What the callback for the feedback of an action gets."""
+        feedback = type_.removesuffix("Message")
+        if self.fields(feedback) is None:
+            return None
+        return {"goal_id": "unique_identifier_msgs/UUID", "feedback": feedback}
 
     def _find(self, type_: str) -> Fields | None:
         package, kind, name = (*type_.split("/"), "", "")[:3]

@@ -8,11 +8,13 @@ from functools import cached_property
 
 from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 
 DEPTH = 12
@@ -25,6 +27,7 @@ _BINDING = frozenset(
         *(ast.arg, ast.Global, ast.Nonlocal),
     )
 )
+_GOAL_HANDLE = "_GoalHandle"
 _SECTIONS = {"srv": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
 
 
@@ -99,11 +102,13 @@ class MessageTypes:
         return known if len(known) == len(found) else []
 
     def _field(self, owner: str, name: str) -> str | None:
+        if owner.endswith(_GOAL_HANDLE):
+            return f"{owner.removesuffix(_GOAL_HANDLE)}_Goal" if name == "request" else None
         kind = (self.interfaces.fields(owner) or {}).get(name, "")
         if "/" not in kind:
             return kind or None
         package, _, rest = kind.partition("/")
-        return f"{package}/msg/{rest}"
+        return kind if "/" in rest else f"{package}/msg/{rest}"
 
     def _name(self, node: ast.Name, depth: int) -> str | None:
         function = self.syntax.function(node)
@@ -176,22 +181,37 @@ class MessageTypes:
         if "raw=True" in self.file.source.text:
             return
         for endpoint in cls.endpoints:
-            method = cls.methods.get(endpoint.callback or "")
-            if method is None or endpoint.type is None or endpoint.role not in ("subscription", "service"):
-                continue
-            names = [each.arg for each in method.node.args.args][1:]
-            given = [endpoint.type] if endpoint.role == "subscription" else _sections(endpoint.type)
-            if _looks_at_type(method.node):
-                continue
-            taken = self._arguments.setdefault(method.node, {})
-            for name, kind in zip(names, given, strict=False):
-                taken[name] = kind if taken.get(name, kind) == kind else None
+            given = _given(endpoint)
+            if given:
+                self._take(cls, endpoint.callback or "", given)
+        for name, action in self._feedback(cls):
+            self._take(cls, name, [f"{action}_FeedbackMessage"])
+
+    def _take(self, cls: NodeClass, callback: str, given: list[str]) -> None:
+        """The types of what a callback is given."""
+        method = cls.methods.get(callback)
+        if method is None or _looks_at_type(method.node):
+            return
+        names = [each.arg for each in method.node.args.args][1:]
+        taken = self._arguments.setdefault(method.node, {})
+        for name, kind in zip(names, given, strict=False):
+            taken[name] = kind if taken.get(name, kind) == kind else None
+
+    def _feedback(self, cls: NodeClass) -> Iterator[tuple[str, str]]:
+        """The methods that ``send_goal_async`` of a client is given for the feedback, each with the action."""
+        actions = {each.attribute: each.type for each in cls.endpoints if each.role == "action-client" and each.type}
+        for call in self.syntax.calls if actions else ():
+            given = next((each.value for each in call.keywords if each.arg == "feedback_callback"), None)
+            action = actions.get(written(call.func.value)) if isinstance(call.func, ast.Attribute) else None
+            if action and isinstance(given, ast.Attribute) and is_self(given.value):
+                if self.syntax.class_of(call) is cls:
+                    yield given.attr, action
 
 
 def types_of(file: NodeSource, syntax: Syntax, interfaces: InterfaceFields) -> MessageTypes | None:
     """None for a file that imports no message."""
     modules = (name or "" for name in file.imports.values())
-    if not any(".msg" in name or ".srv" in name for name in modules):
+    if not any(".msg" in name or ".srv" in name or ".action" in name for name in modules):
         return None
     return MessageTypes(syntax, interfaces)
 
@@ -204,6 +224,25 @@ def message_type(dotted: str | None) -> str | None:
     if len(parts) == 4 and parts[3] in _SECTIONS.get(parts[1], ()):
         return f"{parts[0]}/{parts[1]}/{parts[2]}_{parts[3]}"
     return None
+
+
+def sections_of(dotted: str | None) -> list[str]:
+    """``std_srvs.srv.SetBool`` -> the types of its parts; empty for all else."""
+    parts = (dotted or "").split(".")
+    if len(parts) != 3:
+        return []
+    return [f"{'/'.join(parts)}_{each}" for each in _SECTIONS.get(parts[1], ())]
+
+
+def _given(endpoint: Endpoint) -> list[str]:
+    """The types of what the callback of an endpoint is given; none where that is not known."""
+    if endpoint.type is None:
+        return []
+    if endpoint.role == "service":
+        return _sections(endpoint.type)
+    if endpoint.role == "action-server":
+        return [endpoint.type + _GOAL_HANDLE]
+    return [endpoint.type] if endpoint.role == "subscription" else []
 
 
 def _sections(service: str) -> list[str]:

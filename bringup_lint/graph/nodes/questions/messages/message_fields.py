@@ -5,26 +5,30 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
+from bringup_lint.graph.nodes.sources.message_types import message_type
+from bringup_lint.graph.nodes.sources.message_types import sections_of
+from bringup_lint.graph.nodes.sources.parameter_types import read_type
 from bringup_lint.graph.nodes.sources.what_ends import end_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.interface import CONSTANT
 from bringup_lint.pattern import regex
 
-if TYPE_CHECKING:
-    pass
-
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES"})
 _CALLS = {"int": "int", "float": "float", "str": "str", "bool": "bool", "len": "int"}
 """Functions of Python, each with the type that it returns."""
+_QUALIFIED = {f"time.{name}": "float" for name in ("time", "monotonic", "perf_counter")}
+_OF_PARAMETERS = {"double": "float", "integer": "int", "bool": "bool", "string": "str"}
 _WORDS = {"int": "an int", "float": "a float", "str": "a str", "bool": "a bool"}
 _NUMBERS = frozenset({"int", "float"})
 _WANTED = regex(r"(?P<float>float(?:32|64))$|(?P<bool>bool)$|(?P<str>w?string)$|(?P<int>u?int(?:8|16|32|64))$")
 """Types of fields, each in a group that is called as the type of Python which it takes."""
-_CLOCK = "an rclpy.time.Time"
+_TIMES = {"builtin_interfaces/Time": "rclpy.time.Time", "builtin_interfaces/Duration": "rclpy.duration.Duration"}
+"""Messages that have no field for the object of rclpy which means the same."""
+_OF_RCLPY = frozenset(f"an {each}" for each in _TIMES.values())
+_CONSTANT, _FIELD = "constant", "field"
 OUT_OF_RANGE = "out of its range"
 _EXPECTED = frozenset({"TypeError"})
 _CAUGHT = frozenset({"Exception", "BaseException", "AttributeError", "AssertionError", "TypeError"})
@@ -53,6 +57,16 @@ class NoField(NamedTuple):
     end: str
     """What the exception ends, in words."""
 
+    @property
+    def kind(self) -> str:
+        """``constant`` for a name that is written as one."""
+        return _CONSTANT if self.name.isupper() else _FIELD
+
+    @property
+    def others(self) -> list[str]:
+        """The names of the same kind that the message has."""
+        return sorted(each for each in self.fields if each.isupper() == self.name.isupper())
+
 
 class WrongField(NamedTuple):
     """A value of another type than the field has."""
@@ -71,6 +85,15 @@ class WrongField(NamedTuple):
         return f"{'an' if self.wanted.startswith('int') else 'a'} {self.wanted}"
 
 
+class Misplaced(NamedTuple):
+    """``SetMode.MANUAL``, which is ``SetMode.Request.MANUAL``."""
+
+    place: ast.Attribute
+    part: str
+    """``Request``"""
+    end: str
+
+
 class Unnamed(NamedTuple):
     """``Point(0.0, 0.0, 0.0)``"""
 
@@ -82,20 +105,37 @@ class Unnamed(NamedTuple):
 
 
 def missing_fields(types: MessageTypes) -> Iterator[list[NoField]]:
-    """The uses of fields that do not exist, those of one field of one type that end the same together."""
+    """The uses of fields that do not exist, those of one field of one type that end the same together, and all such
+    uses of constants of a type."""
     groups: dict[tuple[str, str, bool, str], list[NoField]] = {}
     for each in sorted(_missing(types), key=lambda found: types.file.span_of(found.place).start):
-        groups.setdefault((each.type, each.name, each.given, each.end), []).append(each)
+        name = each.name if each.kind == _FIELD else _CONSTANT
+        groups.setdefault((each.type, name, each.given, each.end), []).append(each)
     yield from groups.values()
 
 
 def _missing(types: MessageTypes) -> Iterator[NoField]:
     for node in types.file.nodes:
         if isinstance(node, ast.Attribute):
-            yield from _lacking(types, types.of(node.value), node.attr, node)
+            yield from _lacking(types, types.of(node.value) or _named(types, node), node.attr, node)
         elif isinstance(node, ast.Call):
             for each in node.keywords:
                 yield from _lacking(types, types.made(node), each.arg, each)
+
+
+def _named(types: MessageTypes, node: ast.Attribute) -> str | None:
+    """The class of messages of which a constant is taken: ``BatteryState.TECHNOLOGY``."""
+    return message_type(types.file.qualified(node.value)) if node.attr.isupper() else None
+
+
+def misplaced_constants(types: MessageTypes) -> Iterator[Misplaced]:
+    """Constants that are taken from a service or an action, and belong to one of its parts."""
+    for node in types.file.nodes:
+        if isinstance(node, ast.Attribute) and node.attr.isupper() and not types.syntax.is_dead(node):
+            parts = sections_of(types.file.qualified(node.value))
+            found = [each for each in parts if node.attr in (types.interfaces.fields(each) or {})]
+            if found:
+                yield Misplaced(node, found[0].rpartition("_")[2], _end(types, node))
 
 
 def _lacking(
@@ -166,7 +206,7 @@ def is_checked(distribution: str | None) -> bool:
 
 def converted(wrong: WrongField, text: str) -> str | None:
     """The value as the field wants it; None when that is not plain."""
-    if wrong.got == _CLOCK:
+    if wrong.got in _OF_RCLPY:
         return f"{text}.to_msg()"
     if wrong.wanted.startswith("float") and wrong.got == _WORDS["int"] and text.lstrip("-").isdigit():
         return f"{text}.0"
@@ -204,8 +244,8 @@ def _arms(value: ast.expr) -> Iterator[ast.expr]:
 
 def _wrong(types: MessageTypes, wanted: str, value: ast.expr) -> str | None:
     """The type of a value that a field does not take; None when it does, or that is not known."""
-    if wanted == "builtin_interfaces/Time":
-        return _CLOCK if _is_clock(value) else None
+    if wanted in _TIMES:
+        return _wrong_time(types, _TIMES[wanted], value)
     match = _WANTED.match(wanted)
     got = _type_of(types, value) if match is not None else None
     if match is None or got is None:
@@ -215,6 +255,15 @@ def _wrong(types: MessageTypes, wanted: str, value: ast.expr) -> str | None:
             return None
         return got if got != "int" else _out_of_range(types, value, wanted)
     return got if got != (match.lastgroup or "") else None
+
+
+def _wrong_time(types: MessageTypes, similar: str, value: ast.expr) -> str | None:
+    """As ``_wrong``, of a field for a time or duration, which takes neither numbers nor what rclpy has for it."""
+    made = types.file.qualified(value.func) if isinstance(value, ast.Call) else None
+    if made == similar or (similar.endswith("Time") and _is_clock(value)):
+        return f"an {similar}"
+    kind = _type_of(types, value)
+    return kind if kind in _NUMBERS else None
 
 
 def _out_of_range(types: MessageTypes, value: ast.expr, wanted: str) -> str | None:
@@ -255,11 +304,26 @@ def _type_of(types: MessageTypes, value: ast.expr) -> str | None:
         return "bool"
     if isinstance(value, ast.BinOp):
         return _of_operation(types, value)
-    if isinstance(value, ast.Call) and isinstance(value.func, ast.Name):
-        name = value.func.id
-        return _CALLS.get(name) if name not in types.file.functions and name not in types.file.imports else None
+    if isinstance(value, ast.Call):
+        return _of_call(types, value)
+    if isinstance(value, ast.Attribute) and value.attr == "nanoseconds" and _is_clock(value.value):
+        return "int"
     literal = _literal(types, value)
-    return type(literal).__name__ if type(literal) in (int, float, str, bool) else None
+    return type(literal).__name__ if type(literal) in (int, float, str, bool) else _of_parameter(types, value)
+
+
+def _of_call(types: MessageTypes, call: ast.Call) -> str | None:
+    name = call.func.id if isinstance(call.func, ast.Name) else ""
+    if name in _CALLS:
+        return _CALLS[name] if name not in types.file.functions and name not in types.file.imports else None
+    return _QUALIFIED.get(types.file.qualified(call.func) or "")
+
+
+def _of_parameter(types: MessageTypes, value: ast.expr) -> str | None:
+    """The type of the parameter that is read here, or whose value a name has."""
+    reads = types.values(value) or [value]
+    kinds = {read_type(types.syntax, each) for each in reads}
+    return _OF_PARAMETERS.get(kinds.pop() or "") if len(kinds) == 1 else None
 
 
 def _of_operation(types: MessageTypes, value: ast.BinOp) -> str | None:
