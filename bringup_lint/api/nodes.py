@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callbacks.transform_waits import starved_waits
     from bringup_lint.graph.nodes.questions.callbacks.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.callbacks.transforms import unhandled_transforms
+    from bringup_lint.graph.nodes.questions.callbacks.unregistered_types import unregistered_types
     from bringup_lint.graph.nodes.questions.commands.offboard_signals import rare_signals
     from bringup_lint.graph.nodes.questions.commands.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.commands.repeating import held
@@ -325,6 +326,7 @@ __all__ = [
     "unread_in_cpp",
     "unread_parameters",
     "unread_pipes",
+    "unregistered_types",
     "unrun_checks",
     "unsafe_ends",
     "unsafe_hardware",
