@@ -3,9 +3,10 @@
 ## What it finds
 Two or more nodes that run together and publish the same velocity topic (`cmd_vel`, `base_cmd_vel`, ...), when no
 multiplexer, gate, smoother or collision monitor is among them. If a node of this tree limits velocities, publishers
-that bypass it are also reported. The same for a collision monitor of Nav2 whose `cmd_vel_out_topic` is a topic to which
-servers of Nav2 publish by themselves, which is an error. Nodes that an argument must enable, or that exclude each
-other, do not count. The servers of Nav2 take turns and count as one.
+that bypass it are also reported. So is what publishes the topic to which twist_mux sends what it has chosen. The same
+for a collision monitor of Nav2 whose `cmd_vel_out_topic` is a topic to which servers of Nav2 publish by themselves,
+which is an error. Nodes that an argument must enable, or that exclude each other, do not count. The servers of Nav2
+take turns and count as one.
 
 ## Why it matters on a robot
 The base obeys the message that arrived last. A stop from one node is followed milliseconds later by the next
@@ -67,7 +68,29 @@ def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
                     *(note(use.node.started.span, f"{use.node.label()} is started here") for use in rivals),
                 ],
             )
+    yield from past_the_mux(robot)
     yield from past_the_monitor(robot)
+
+
+def past_the_mux(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for running in robot.topics.runs:
+        for mux, *others in topics.past_the_mux(running):
+            places = frozenset(use.where for use in others)
+            if running.simulated or places in seen:
+                continue
+            seen.add(places)
+            names = " and ".join(use.node.label() for use in others)
+            yield finding(
+                others[0].where,
+                f"{names} publish{'es' * (len(others) < 2)} {mux.topic}, to which {mux.node.label()} sends what it has "
+                "chosen: no priority and no lock holds that back",
+                advice=f"remap it to an input of {mux.node.label()}",
+                related=[
+                    *(note(use.where, f"{use.node.label()} publishes it too") for use in others[1:]),
+                    note(mux.node.started.span, "the multiplexer"),
+                ],
+            )
 
 
 def past_the_monitor(robot: Robot) -> Iterator[Finding]:

@@ -31,6 +31,7 @@ HARDWARE = regex(
 """Words that speak of a stop in hardware."""
 COMPARED = 50
 """Publishers of one velocity that are compared with each other."""
+_MUX = "twist_mux"
 TOGETHER = ("nav2_", "opennav_")
 """Packages whose servers take turns, as the navigator decides."""
 
@@ -93,6 +94,16 @@ def _past_the_gate(several: list[Use]) -> list[Use]:
     gates = [use for use in several if not use.of_table and passes_on(use.node)]
     others = [use for use in several if not is_gate(use.node) and _who(use.node) != TOGETHER]
     return [*others, gates[0]] if len(gates) == 1 and others else []
+
+
+def past_the_mux(running: Running) -> Iterator[list[Use]]:
+    """The publishers of the topic to which the one twist_mux sends what it has chosen, after that of twist_mux."""
+    for uses in running.by_topic().values():
+        several = _sources(uses)
+        muxes = [use for use in several if literal_text(use.node.started.package) == _MUX]
+        others = [use for use in several if not is_gate(use.node)]
+        if len(muxes) == 1 and others and all(coexist(muxes[0].node, use.node) for use in others):
+            yield [muxes[0], *others]
 
 
 def ungated(running: Running) -> Iterator[tuple[Use, Use]]:
