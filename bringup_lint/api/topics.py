@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.command_sources import is_gate
     from bringup_lint.graph.topics.questions.command_sources import is_stop
     from bringup_lint.graph.topics.questions.command_sources import is_velocity
+    from bringup_lint.graph.topics.questions.command_sources import past_the_mux
     from bringup_lint.graph.topics.questions.command_sources import rivals
     from bringup_lint.graph.topics.questions.command_sources import ungated
     from bringup_lint.graph.topics.questions.compatibility import conflicts_of
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.single_parameters import single_parameters
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
+    from bringup_lint.graph.topics.questions.unfed_inputs import unfed_inputs
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.questions.unpublished import unpublished
     from bringup_lint.graph.topics.questions.unserved import unserved
@@ -64,6 +66,7 @@ __all__ = [
     "misspelt",
     "misspelt_records",
     "orphans",
+    "past_the_mux",
     "probable_typos",
     "published_at_start",
     "refusal",
@@ -76,6 +79,7 @@ __all__ = [
     "too_reliable",
     "two_parents",
     "types_differ",
+    "unfed_inputs",
     "ungated",
     "unheard_by_controllers",
     "unheard_commands",

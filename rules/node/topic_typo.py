@@ -18,6 +18,9 @@ away from it, is that of an end of the same type or in several other files, and 
 A topic in `ros2 bag record` of a launch file that nobody uses, while one with the same letters is published:
 `/wheel_state` and `/wheel/state`.
 
+An input of twist_mux that nobody feeds, while a launch file gives the velocity of another node a name that nobody
+takes, which has the same words but for `cmd` and `vel`; nothing else of the tree mentions either name.
+
 A client of a service or action that nobody offers, while all servers of its type, which is one of the tree's own, start
 beside it under the same name in another namespace, or under nearly the same name: `~/start` is `/mower/start`.
 
@@ -99,6 +102,14 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 advice="write the same name on both sides",
                 related=[note(each.place, f"{each.meant} is named here")],
             )
+    for velocity, mux in topics.unfed_inputs(robot.topics, said):
+        yield finding(
+            mux.name_place or mux.where,
+            f"Nobody publishes {mux.topic}: {mux.node.label()} waits for it, and {velocity.node.label()} sends "
+            f"{velocity.topic}, which nobody takes",
+            advice="write the same name on both sides",
+            related=[note(velocity.name_place or velocity.where, f"{velocity.topic} is named here")],
+        )
     for topic, publisher in topics.misspelt_records(robot.topics):
         yield finding(
             topic,
