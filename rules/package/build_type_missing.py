@@ -1,9 +1,10 @@
 """A package of ROS 2 does not export a build type that colcon knows.
 
 ## What it finds
-A package.xml that names a build tool of ament and exports no `build_type`, in a package that colcon builds. A package
-inside another one is left alone: colcon does not look for it. Also a tag in `<export>` that is nearly `build_type`, and
-a build type that is nearly one that colcon knows.
+A package.xml that exports no `build_type`, in a package that colcon builds and that is one of ament: it names a build
+tool of ament, or it names none and has a setup.py that registers it in the ament index. A package inside another one is
+left alone: colcon does not look for it. Also a tag in `<export>` that is nearly `build_type`, and a build type that is
+nearly one that colcon knows.
 
 ## Why it matters on a robot
 colcon takes such a package for one of catkin. With a CMakeLists.txt it builds and installs it, and its setup files do
@@ -59,7 +60,11 @@ def build_type_missing(robot: Robot) -> Iterator[Finding]:
     for manifest in robot.dependencies.manifests:
         yield from _misspelt(manifest)
     for package in packages.values():
-        if _is_guessed(package) and robot.dependencies.judged(package) and not _is_inside(package, packages.values()):
+        if (
+            _is_guessed(robot, package)
+            and robot.dependencies.judged(package)
+            and not _is_inside(package, packages.values())
+        ):
             built = robot.tree.exists(os.path.join(package.folder, "CMakeLists.txt"))
             end = "ros2 run and launch files do not find it" if built else "the build fails"
             yield finding(
@@ -88,13 +93,19 @@ def _misspelt(manifest: Manifest) -> Iterator[Finding]:
         )
 
 
-def _is_guessed(package: Package) -> bool:
-    """Whether only the build tool says that a package is one of ament."""
+def _is_guessed(robot: Robot, package: Package) -> bool:
+    """Whether only the build tool, or setup.py, says that a package is one of ament."""
     manifest = package.manifest
     tools = [str(name) for tag, name in manifest.depends if tag == "buildtool_depend"]
-    is_ament = any(tool.startswith("ament_") for tool in tools) and "catkin" not in tools
+    is_ament = any(tool.startswith("ament_") for tool in tools) if tools else _is_registered(robot, package)
     known = manifest.exported_type is not None or manifest.near_build_type is not None
-    return not known and not manifest.for_both and is_ament
+    return not known and not manifest.for_both and "catkin" not in tools and is_ament
+
+
+def _is_registered(robot: Robot, package: Package) -> bool:
+    """Whether setup.py puts a package into the ament index."""
+    setup = robot.tree.at(os.path.join(package.folder, "setup.py"))
+    return setup is not None and "ament_index/resource_index" in setup.text
 
 
 def _is_inside(package: Package, packages: Iterable[Package]) -> bool:
