@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from typing import Any
@@ -50,6 +49,8 @@ _OPTIONS = {
     ).split()
 } | {"launch-prefix": "prefix"}
 _NUMBER = regex(r"[-+]?(?:\d+|(?P<real>\d*\.\d+|\d+\.\d*)(?:[eE][-+]?\d+)?|(?P<power>\d+[eE][-+]?\d+))\Z")
+_WORDS = regex(r"""\s+|(?P<quote>["'])[^"']*(?P=quote)(?!\S)|(?:"[^"]*"|'[^']*'|[^\s"'])+|["']""")
+"""Blanks, a word in quotes, and one that may hold some."""
 _ROS1_ATTRIBUTES = {
     "node": ("type", "ns", "required", "machine", "clear_params"),
     "include": ("ns", "pass_all_args", "clear_params"),
@@ -109,7 +110,7 @@ class Builder:
         return tuple((self.value(each, first), self.value(each, second)) for each in entities)
 
     def words(self, entity: Entity, name: str) -> tuple[Value, ...]:
-        """A command line, split at the blanks of its literal text."""
+        """A command line, split at the blanks of its literal text that no quotes hold."""
         text = entity.get(name)
         if text is None:
             return ()
@@ -119,11 +120,12 @@ class Builder:
             if not isinstance(part, Literal):
                 words[-1].append(part)
                 continue
-            for match in re.finditer(r"\s+|[^\s]+", part.text):
+            for match in _WORDS.finditer(part.text):
                 if match[0].isspace():
                     words.append([])
                 else:
-                    piece = part.text.part(match.start(), match.end())
+                    quotes = len(match["quote"] or "")
+                    piece = part.text.part(match.start() + quotes, match.end() - quotes)
                     words[-1].append(Literal(piece, piece.span))
         return tuple(word[0] if len(word) == 1 else Concat(tuple(word), word[0].span) for word in words if word)
 
