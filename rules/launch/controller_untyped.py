@@ -2,10 +2,11 @@
 
 ## What it finds
 `spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
-only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no parameters itself. Also a
-`ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none, it
-is a warning. For a manager inside of a simulator, which no launch file starts: a name that nothing else of the tree
-holds, beside one that a parameter file holds. Managers whose parameters are not all known are left out.
+only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no parameters itself, or only files
+that are known and do not hold it either. Also a `ros2_control_node` without any parameter file, whose controllers all
+lack their types; where the launch spawns none, it is a warning. For a manager inside of a simulator, which no launch
+file starts: a name that nothing else of the tree holds, beside one that a parameter file holds. Managers whose
+parameters are not all known are left out.
 
 ## Why it matters on a robot
 The spawner ends with "The 'type' param was not defined". The hardware is up, no controller moves it, and commands to

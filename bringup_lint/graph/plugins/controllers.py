@@ -39,6 +39,8 @@ _NAMING = (".yaml", ".yml", ".xacro", ".urdf", ".sdf", ".json", ".xml", ".em", "
 _DESCRIPTIONS = (".xacro", ".urdf", ".sdf")
 _SIMULATED = regex(r"(?:gz|ign|gazebo)_ros2_control", hints="_ros2_control")
 _PARAMETER_FILE = regex(r"(?<![\w.-])[\w.-]+\.ya?ml(?![\w.])", hints=".yaml .yml")
+_FOR_ALL = "**.type"
+"""What a block for every node gives."""
 _MOST = 4000
 _SEVERAL = 2
 
@@ -62,12 +64,42 @@ def untyped_controllers(launch: Launch, params: Params) -> Iterator[UntypedContr
         typed = _typed(launch, params, managers[0])
         if typed is None:
             continue
-        for spawner, name in spawned(expansion.nodes):
+        for spawner, name in _spawned_untyped(launch, params, expansion.nodes):
             if name not in typed and (name.span, str(name)) not in seen:
                 seen.add((name.span, str(name)))
                 yield UntypedController(
                     name, spawner, managers[0], tuple(value.span for value in managers[0].parameters)
                 )
+
+
+def _spawned_untyped(launch: Launch, params: Params, nodes: Iterable[Started]) -> Iterator[tuple[Started, Located]]:
+    """The controllers of spawners whose own files, where they have some, give them no type either."""
+    yield from spawned(nodes)
+    for node in nodes:
+        if not node.parameters and node.by_default is not False and (brought := _brought(launch, params, node)):
+            yield from ((node, name) for name in spawned_by(node) if name not in brought)
+
+
+def _brought(launch: Launch, params: Params, spawner: Started) -> set[str] | None:
+    """The controllers whose type the files of a spawner give; None when it has none, or these are not all known."""
+    found: set[str] | None = None
+    before = ""
+    for value in spawner.arguments:
+        word = literal_text(value)
+        if before in FILE_OPTIONS:
+            names = _names(launch, params, value)
+            if names is None or _FOR_ALL in names:
+                return None
+            found = (found or set()).union(_typed_by(names))
+        elif word is None or (word.partition("=")[0] in _TYPED and word not in FILE_OPTIONS):
+            return None
+        before = str(word)
+    return found
+
+
+def _typed_by(names: Iterable[str]) -> Iterator[str]:
+    """The controllers of whose parameters some give the type."""
+    return (name.rpartition(".")[0] for name in names if name.endswith(".type"))
 
 
 def unnamed_controllers(launch: Launch, files: Files) -> Iterator[tuple[Located, Started, Located]]:
@@ -142,7 +174,7 @@ def _typed(launch: Launch, params: Params, manager: Started) -> set[str] | None:
         names = _names(launch, params, value)
         if names is None:
             return None
-        found |= {name.rpartition(".")[0] for name in names if name.endswith(".type")}
+        found.update(_typed_by(names))
     return found
 
 
@@ -154,5 +186,5 @@ def _names(launch: Launch, params: Params, value: Value) -> list[str] | None:
     file = params.at_path(path) if path is not None else None
     if file is None or not file.accepted:
         return None
-    blocks = [f"{each.block.key}.type" for each in file.parameters if each.name == "type"]
+    blocks = [f"{each.block.node_name}.type" for each in file.parameters if each.name == "type"]
     return blocks + [each.name for each in file.parameters]
