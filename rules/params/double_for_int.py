@@ -4,8 +4,8 @@
 Doubles in a parameter file or launch file for parameters that the sources of the workspace declare as an integer, with
 a literal name and type; the text of a launch argument counts as what YAML makes of it. The same for nodes of
 Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam,
-sllidar_ros2 and the controllers of ros2_controllers, which a launch file gives the value or the file, or a block of it
-names. Silent where the node allows any type, or declares the name with several types.
+sllidar_ros2, the controller manager and the controllers of ros2_controllers, which a launch file gives the value or the
+file, or a block of it names. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start. A controller

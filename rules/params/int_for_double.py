@@ -5,7 +5,8 @@ Integers in a parameter file or launch file for parameters that the sources of t
 literal name and type; the text of a launch argument counts as what YAML makes of it. The same for nodes of Navigation2
 with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam, sllidar_ros2,
 pointcloud_to_laserscan and the controllers of ros2_controllers, which a launch file gives the value or the file, or a
-block of it names. Silent where the node allows any type, or declares the name with several types.
+block of it names, and for the limits of a `joint_limits.yaml` beside an SRDF, which MoveIt reads. Silent where the node
+allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start. A controller
@@ -31,6 +32,7 @@ When the declaration that the linter found belongs to another node than the one 
 ## References
 - https://github.com/ros2/rclcpp/issues/979
 - https://github.com/ros-controls/ros2_controllers/issues/136
+- https://github.com/moveit/moveit2/issues/2776
 """
 
 from collections.abc import Iterator

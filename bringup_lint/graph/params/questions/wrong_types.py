@@ -9,7 +9,9 @@ from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import kept
 from bringup_lint.graph.params.declared_types import of_wrong_type
+from bringup_lint.graph.params.questions.joint_limits import integer_limits
 from bringup_lint.graph.params.questions.public import of_wrong_public_type
+from bringup_lint.graph.params.values import Item
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -20,8 +22,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.params.questions.launched_values import LaunchedValue
-    from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.workspace import Package
+
+_MOVEIT = "MoveIt"
 
 
 class WrongType(NamedTuple):
@@ -33,7 +36,7 @@ class WrongType(NamedTuple):
     items: list[Item]
     """Those of an array; a single value is one."""
     package: str = ""
-    """The public package of which a node declares it; empty for a node of the workspace."""
+    """The public package of which a node declares it, or MoveIt; empty for a node of the workspace."""
     declared: Located | None = None
     """Where the workspace declares it."""
     started: Started | None = None
@@ -48,6 +51,8 @@ class WrongType(NamedTuple):
     @property
     def outcome(self) -> str:
         exception = "InvalidParameterTypeException"
+        if self.package == _MOVEIT:
+            return f"move_group ends with {exception}, or drops the limits of the joint"
         return f"it is not loaded ({exception})" if self.is_controller else f"it exits with {exception}"
 
 
@@ -59,6 +64,10 @@ def wrong_types(params: Params, given: str, declared: str) -> Iterator[WrongType
         yield WrongType(
             parameter.name, parameter.text, parameter.span, items, node.package, is_controller=node.is_controller
         )
+    if (given, declared) == ("integer", "double"):
+        for name, value in integer_limits(params):
+            item = Item(given, value.integer, str(value.value), value.span, False)
+            yield WrongType(name, item.text, item.span, [item], _MOVEIT)
     if params.is_typed:
         yield from _launched(params, given, declared)
 
