@@ -8,12 +8,15 @@
   controller of that name in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`,
   gripper controllers `gripper_cmd`. Also fewer joints than the trajectory controller has in every file of the tree,
   without `allow_partial_joints_goal`.
+- In an SRDF: links and joints of groups, chains, states and the like that the description of the tree with the same
+  robot name does not have, where it has most of the names.
 - A launch file that starts MoveIt with controllers in a namespace (`/arm/arm_controller`), and no controller manager
   there.
 
 Silent where xacro makes the SRDF.
 
 ## Why it matters on a robot
+MoveIt leaves unknown links and joints out of their group: a chain without its tip is an empty group.
 Without a solver for its group, MoveIt plans no goal for a pose. A controller of another name never offers its action:
 MoveIt waits for the server, gives up, and executes nothing. For a group without planners, OMPL takes its default,
 whatever planner is asked for.
@@ -57,6 +60,7 @@ from bringup_lint.api.params import MoveItProblem
         "Action client not connected to action server",
         "Joints on incoming trajectory don't match the controller joints.",
         "Unable to identify any set of controllers that can actuate the specified joints",
+        "is not known to the URDF",
     ],
 )
 def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
@@ -82,6 +86,16 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             advice=_advice(each),
             related=list(_known(each)),
             severity="warning" if each.kind in ("action", "planners") else None,
+        )
+    for unknown in robot.plugins.unknown_srdf_names:
+        yield finding(
+            unknown.name,
+            f"The robot has no {unknown.kind} '{unknown.name}': MoveIt leaves it out",
+            advice=f"write {unknown.near}" if unknown.near else f"name a {unknown.kind} of the description",
+            related=[
+                note(unknown.described, "the description of the robot"),
+                *(note(each, "not in it either") for each in unknown.others[:5]),
+            ],
         )
     for away in robot.plugins.controllers_elsewhere:
         first, *others = away.names

@@ -211,25 +211,22 @@ def _joints_of(params: Params, controller: str) -> list[tuple[Located, set[str],
 
 
 def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
-    """Actions that a controller of the same folder does not serve, by its type."""
-    beside: dict[str, dict[str, Located]] = {}
-    for file, each in params.parameters:
-        if each.name.endswith(".type") and os.path.dirname(file.source.absolute) == os.path.dirname(source.absolute):
-            kind = Located(str(each.value.data), each.span)
-            beside.setdefault(each.name.removesuffix(".type"), {})[str(kind)] = kind
+    """Actions that a controller does not serve, by its type in the same folder, or else in all other files."""
     root = _root(source)
     manager = root.mapping(_MANAGER) if root is not None else None
     if manager is None:
         return
+    folder = os.path.dirname(source.absolute)
     for name in controller_names(source):
         own = manager.mapping(name)
         action = own.scalar("action_ns") if own is not None else None
-        given, *others = beside.get(_tail(name), {"": None}).values()
-        served = _SERVED.get(str(given))
-        if given is None or others or action is None or served in (None, action.value.strip("/")):
+        types = [Located(str(each.value.data), each.span) for _, each in params.named(f"{_tail(name)}.type")]
+        beside = [each for each in types if os.path.dirname(each.span.source.absolute) == folder] or types
+        served = _SERVED.get(str(beside[0])) if len(set(map(str, beside))) == 1 else None
+        if action is None or served in (None, action.value.strip("/")):
             continue
         if not _is_asked_for(f"{_tail(name)}/{action.value.strip('/')}", params):
-            yield MoveItProblem("action", action.value, (given,), served)
+            yield MoveItProblem("action", action.value, (beside[-1],), served)
 
 
 def _is_asked_for(action: str, params: Params) -> bool:

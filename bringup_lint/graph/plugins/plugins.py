@@ -39,6 +39,8 @@ from bringup_lint.graph.plugins.renamed import RenamedControllers
 from bringup_lint.graph.plugins.renamed import renamed_controllers
 from bringup_lint.graph.plugins.simulator_hardware import OtherSimulator
 from bringup_lint.graph.plugins.simulator_hardware import other_simulators
+from bringup_lint.graph.plugins.srdf import UnknownName
+from bringup_lint.graph.plugins.srdf import unknown_names
 from bringup_lint.graph.plugins.unknown import Named
 from bringup_lint.graph.plugins.unknown import UnknownPlugin
 from bringup_lint.graph.plugins.unread_descriptions import Unread
@@ -172,6 +174,11 @@ class Plugins:
     def moveit_problems(self) -> list[MoveItProblem]:
         """Groups and controllers that MoveIt is configured for, and that the robot does not have."""
         return list(moveit_problems(self._files.tree, self._launch.workspace, self._params()))
+
+    @cached_property
+    def unknown_srdf_names(self) -> list[UnknownName]:
+        """Links and joints of an SRDF that the description of its robot does not have, those of one file together."""
+        return list(unknown_names(self._files.tree, self._launch.workspace.packages))
 
     @cached_property
     def missing_moveit_files(self) -> list[list[MissingMoveItFile]]:
