@@ -12,6 +12,7 @@ Python launch files that give functions and the classes of launch and launch_ros
   is none;
 - `on_exit=` and its like with a text, an event or a `LaunchConfiguration`, event handlers that wait for the end of an
   include or a group, an action as the event of `EmitEvent`;
+- an XML or YAML file for `PythonLaunchDescriptionSource`, a Python file for `FrontendLaunchDescriptionSource`;
 - calls of functions of the file itself that hand over too much, too little, or another name, also those that
   `OpaqueFunction` makes: it hands the context over first.
 
@@ -95,6 +96,8 @@ MESSAGES = {
     "attribute 'visit'",
     "reaction": "{word} of {owner} takes actions or a function, not {given}: launch ends with an exception there",
     "event": "EmitEvent takes an event and not an action: launch ends with a RuntimeError",
+    "script": "{owner} runs this file as Python: launch ends with a SyntaxError at the include",
+    "markup": "{owner} reads XML and YAML, not Python: launch ends with an exception at the include",
     "process": "{word} of {owner} is no process: launch ends with a TypeError",
     "lifecycle": "{word} of {owner} is no LifecycleNode: launch ends with a RuntimeError",
     "components": "{word} of {owner} is a component and not a list of them: launch ends with a TypeError",
@@ -123,6 +126,8 @@ ADVICE = {
     "visited": "put only actions into the list",
     "reaction": "write an action, as launch.actions.Shutdown()",
     "event": "use the action itself, or the event of launch.events",
+    "script": "use AnyLaunchDescriptionSource",
+    "markup": "use PythonLaunchDescriptionSource",
     "process": "name the Node or ExecuteProcess that is meant",
     "lifecycle": "make the node a LifecycleNode",
     "components": "put it into a list",
@@ -142,6 +147,7 @@ PLACEHOLDER = regex(r"[\"'/](?:your_(?:package|pkg|robot)|path/to/(?:your|my)?)\
         "object is not iterable",
         "object has no attribute 'visit'",
         "too many values to unpack (expected 2)",
+        "SyntaxError: invalid syntax (*.launch.xml",
     ],
 )
 def call_refused(robot: Robot) -> Iterator[Finding]:

@@ -12,7 +12,9 @@ from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
+from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.parsers.launch_python.objects import Description
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Handler
@@ -152,6 +154,28 @@ def _condition(thing: Any) -> Found:
         yield "condition", None
 
 
+def _python_file(thing: Any) -> Found:
+    if _end(thing).endswith((".xml", ".yaml", ".yml", ".launch")):
+        yield "script", thing
+
+
+def _markup_file(thing: Any) -> Found:
+    if _end(thing).endswith(".py"):
+        yield "markup", thing
+
+
+def _end(thing: Any) -> str:
+    """The last text of a path; empty where it is not known."""
+    last = thing
+    if isinstance(thing, Sequence):
+        last = next((item for _, item in reversed(thing.items)), None)
+    elif isinstance(thing, (Concat, PathJoin)):
+        last = thing.parts[-1]
+    if last is not thing:
+        return _end(last)
+    return str(thing.value) if _is_text(thing) else ""
+
+
 def _items(thing: Any) -> list[Any]:
     """What is in a list; nothing of anything else."""
     return [item for _, item in thing.items] if isinstance(thing, Sequence) else []
@@ -208,4 +232,6 @@ CHECKS: dict[str, Callable[[Any], Found]] = {
     "process": _process,
     "lifecycle": _lifecycle,
     "components": _components,
+    "python_file": _python_file,
+    "markup_file": _markup_file,
 }
