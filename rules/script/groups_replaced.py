@@ -3,7 +3,8 @@
 ## What it finds
 - `usermod -G dialout USER` in a script, without `-a`;
 - a task of Ansible's `user` module that gives `groups` to a user that the playbook logs in as, without `append: true`:
-  `{{ ansible_user }}`, or the name that the inventory, `ansible.cfg` or `remote_user` gives.
+  `{{ ansible_user }}`, or the name that the inventory, `ansible.cfg` or `remote_user` gives, also where a variable
+  stands for it that has no other value in the tree.
 
 Silent for a user that the same script creates, for lists with `sudo`, and for groups that a variable gives.
 
@@ -29,6 +30,7 @@ When the account is to have these groups and no others.
 - https://docs.ansible.com/ansible/latest/collections/ansible/builtin/user_module.html, "append"
 """
 
+from collections.abc import Container
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -55,6 +57,10 @@ CREATES = ("useradd", "adduser")
 OF_LOGIN = regex(r"\{\{ *(?:ansible_(?:user|user_id|ssh_user|env\.(?:USER|SUDO_USER))|lookup\('env', *'USER'\)) *\}\}")
 """The user that Ansible logs in as exists before the play."""
 LOGIN = regex(r"(?m)\b(?:ansible_(?:ssh_)?user|remote_user)[\"']?[ \t]*[:=][ \t]*[\"']?([a-z_][\w-]*)")
+SETTING = regex(
+    r"(?m)^[ \t]*(?P<name>[a-z_]\w{0,60})[ \t]{0,9}[:=][ \t]*(?P<quote>[\"']?)(?P<value>[^\n\"'#]{1,80})(?P=quote)"
+)
+"""A variable of one line in an inventory, a play or a file of variables."""
 
 
 @rule("warning", symptoms=["is not in the sudoers file", "could not open port /dev/tty*: Permission denied"])
@@ -97,6 +103,7 @@ def _is_created(robot: Robot, source: Source, run: Run) -> bool:
 
 def _of_tasks(robot: Robot) -> Iterator[Finding]:
     logins = _logins(robot)
+    logins |= frozenset(_variables_of(robot, logins))
     for source in robot.of_kind("ansible"):
         if not source.judged or "groups" not in source.text or APPENDED.search(source.text):
             continue
@@ -111,6 +118,17 @@ def _logins(robot: Robot) -> frozenset[str]:
     texts = [source.text for source in robot.of_kind("ansible", "ansible-vars")]
     texts += [robot.tree.head(path, MOST_SETTINGS) for path in robot.tree.named("ansible.cfg")]
     return frozenset(name for text in texts for name in LOGIN.findall(text)) - {"root"}
+
+
+def _variables_of(robot: Robot, logins: Container[str]) -> Iterator[str]:
+    """The variables that have only the names of these users, as a task writes them: ``{{ robot_user }}``."""
+    values: dict[str, set[str]] = {}
+    for source in robot.of_kind("ansible", "ansible-vars"):
+        for match in SETTING.finditer(source.text):
+            values.setdefault(match["name"], set()).add(match["value"].strip())
+    for name, given in values.items():
+        if all(value in logins or OF_LOGIN.search(value) for value in given):
+            yield f"{{{{ {name} }}}}"
 
 
 def _of_module(settings: Mapping, logins: frozenset[str]) -> Iterator[Finding]:
