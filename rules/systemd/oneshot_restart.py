@@ -42,11 +42,11 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["which isn't allowed for Type=oneshot services"])
 def oneshot_restart(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        kind, restart = unit.get("Type"), unit.get("Restart")
-        if kind == "oneshot" and restart in ("always", "on-success"):
+        kind, policy = unit.get("Type"), robot.units.restart(unit)
+        if kind is not None and policy.refused:
             yield finding(
-                restart,
-                f"Type=oneshot does not allow Restart={restart}: systemd refuses {unit.name}",
+                policy.where,
+                f"Type=oneshot does not allow Restart={policy.restart}: systemd refuses {unit.name}",
                 advice="use Restart=on-failure, or Type=exec for a process that keeps running",
                 related=[note(kind, "the type is set here")],
             )

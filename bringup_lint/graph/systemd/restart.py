@@ -37,6 +37,10 @@ BURSTS_COUNTED = 10_000
 """Delays that are added up one by one; a larger burst is extrapolated."""
 
 
+_NOT_OF_ONESHOT = ("always", "on-success")
+"""What systemd refuses for Type=oneshot (service.c, ``service_verify()``)."""
+
+
 @dataclass(frozen=True)
 class RestartPolicy:
     """What happens when the service ends. Times are in seconds."""
@@ -58,6 +62,8 @@ class RestartPolicy:
     """StartLimitIntervalSec= in [Service], where systemd ignores it."""
     known: bool = True
     """False when a template's placeholder hides one of the values; the numbers then are the defaults."""
+    refused: bool = False
+    """systemd refuses the unit for its Restart=, so that nothing ever restarts."""
 
     @property
     def where(self) -> Located:
@@ -68,7 +74,7 @@ class RestartPolicy:
 
     @property
     def restarts(self) -> bool:
-        return self.restart not in ("no", None) and self.delay != math.inf
+        return self.restart not in ("no", None) and self.delay != math.inf and not self.refused
 
     @property
     def limited(self) -> bool:
@@ -143,4 +149,5 @@ def restart_policy(unit: Unit, systemd: int, system_conf: Callable[[], list[Daem
         burst.at,
         tuple(unit.values("StartLimitIntervalSec", "Service")),
         known=not any(each.unknown for each in settings),
+        refused=unit.get("Type") == "oneshot" and restart.value in _NOT_OF_ONESHOT,
     )
