@@ -3,7 +3,8 @@
 ## What it finds
 `${NAME}` in an argument of an `Exec` line, or `$NAME` as a whole argument, when nothing defines the variable:
 no `Environment=`, environment file or `PassEnvironment=` of the unit, not systemd itself, and no assignment
-in the line. Units of the user manager, and units with an environment file that is not in the tree, are not
+in the line. It is an info where the whole argument is a variable for more options, as `$DRIVER_OPTS`: without them, the
+program gets none. Units of the user manager, and units with an environment file that is not in the tree, are not
 checked.
 
 ## Why it matters on a robot
@@ -44,6 +45,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 VARIABLE = regex(r"\$\$|\$\{([A-Za-z_]\w*)\}|^\$([A-Za-z_]\w*)$")
+OPTIONS = regex(r"\$\w*(?:ARGS|ARGUMENTS|OPTS|OPTIONS|FLAGS)\Z")
+"""A place for options that may stay empty."""
 OF_SYSTEMD = regex(
     r"(?:PATH|LANG|LC_\w+|LANGUAGE|USER|LOGNAME|HOME|SHELL|INVOCATION_ID|XDG_\w+|MAINPID|MANAGERPID|SYSTEMD_\w+|TERM|NOTIFY_SOCKET"
     r"|JOURNAL_STREAM|SERVICE_RESULT|EXIT_CODE|EXIT_STATUS|PIDFILE|REMOTE_\w+|RUNTIME_DIRECTORY|STATE_DIRECTORY|LOGS_DIRECTORY"
@@ -75,6 +78,7 @@ def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
                         f"{name} is not defined: {_becomes(word, match)}",
                         advice=f"define {name} with Environment= or in an environment file, "
                         f"or write $${{{name}}} if the shell should expand it",
+                        severity="info" if OPTIONS.match(word) else None,
                     )
 
 
