@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callbacks.canceled_goals import canceled_goals
     from bringup_lint.graph.nodes.questions.callbacks.early_results import early_results
     from bringup_lint.graph.nodes.questions.callbacks.endless_answers import endless_answers
+    from bringup_lint.graph.nodes.questions.callbacks.ignored_cancels import ignored_cancels
     from bringup_lint.graph.nodes.questions.callbacks.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.callbacks.lost_requests import lost_requests
     from bringup_lint.graph.nodes.questions.callbacks.making_loops import making_loops
@@ -240,6 +241,7 @@ __all__ = [
     "held",
     "hidden_failures",
     "home_files",
+    "ignored_cancels",
     "import_edits",
     "inactive_publishers",
     "is_called_nowhere",
