@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.orphans import orphans
     from bringup_lint.graph.topics.questions.other_ends import used_at
+    from bringup_lint.graph.topics.questions.own_lifecycle import own_lifecycle
     from bringup_lint.graph.topics.questions.recorded import misspelt_records
     from bringup_lint.graph.topics.questions.single_names import single_names
     from bringup_lint.graph.topics.questions.single_parameters import single_parameters
@@ -66,6 +67,7 @@ __all__ = [
     "misspelt",
     "misspelt_records",
     "orphans",
+    "own_lifecycle",
     "past_the_mux",
     "probable_typos",
     "published_at_start",

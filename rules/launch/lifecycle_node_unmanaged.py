@@ -2,7 +2,8 @@
 
 ## What it finds
 `LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on). A
-`Node` is a warning where another launch file starts the same program as a `LifecycleNode`, and where nothing includes
+`Node` is a warning where another launch file starts the same program as a `LifecycleNode`, where its source in the tree
+is a lifecycle node and no program of the tree changes the states of nodes, and where nothing includes
 the file, which lies among files that are only there to be included. They are in no lifecycle
 manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no script or node of the tree
 that names them changes states. Info where a comment has the name in such a list: somebody took it out.
@@ -41,6 +42,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.topics import own_lifecycle
 
 DRIVERS = ("driver", "hardware")
 """Roles of programs that robots have from different packages, with or without a lifecycle."""
@@ -61,8 +63,11 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             role = robot.launch.role(node)
             lifecycle = getattr(node.action, "lifecycle", False)
             name = launch.full_name(node, role)
-            other = None if lifecycle or role.managed else launch.as_lifecycle_node(robot.launch, node)
-            if not (lifecycle or role.managed or other) or name is None or node.by_default is False:
+            is_known = lifecycle or role.managed
+            other = None if is_known else launch.as_lifecycle_node(robot.launch, node)
+            own = None if is_known or other else own_lifecycle(robot.topics, node)
+            name = name or own
+            if not (is_known or other or own) or name is None or node.by_default is False:
                 continue
             if role.managed is False or launch.is_plain(robot.launch, node):
                 continue
@@ -77,13 +82,14 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 chain=robot.provenance.chain_to_node(node),
                 related=[
                     *([note(other, "the same program is a lifecycle node here")] if other else ()),
+                    *([note(own, "the source makes a lifecycle node")] if own else ()),
                     *(
                         note(each.names.name or each.node.span, "this manager does not list it")
                         for each in managers[:3]
                     ),
                 ],
-                severity="warning" if other else _severity(robot, expansion, node, bool(lifecycle), name),
-                confidence="medium" if other else None,
+                severity="warning" if other or own else _severity(robot, expansion, node, bool(lifecycle), name),
+                confidence="medium" if other or own else None,
             )
 
 

@@ -82,6 +82,11 @@ def switched_by_program(launch: Launch, name: str) -> bool:
     return any(word.search(text) for text in _switching(launch) if name in text)
 
 
+def is_switched(launch: Launch) -> bool:
+    """Whether some program of the tree changes the states of nodes."""
+    return bool(_switching(launch))
+
+
 @kept
 def _switching(launch: Launch) -> list[str]:
     """The texts of the programs that change the states of nodes."""
