@@ -5,7 +5,8 @@ In C++ sources of nodes, a `std::thread` that is started, and that no source of 
 elsewhere, or that only callbacks or transitions such as `on_cleanup()` join; also joins in transitions, and in
 destructors of components, of a thread whose loop ends only with rclcpp. In Python, a thread of a node that is not a
 daemon and whose `while True` nothing leaves, asks nobody whether it goes on, and calls nothing that raises after the
-shutdown, such as `publish()`; and one that spins beside the window of a program which calls `rclpy.shutdown()` nowhere.
+shutdown, such as `publish()`; one whose loop asks only between reads of a socket without a timeout; and one that spins
+beside the window of a program which calls `rclpy.shutdown()` nowhere.
 
 ## Why it matters on a robot
 The destructor of a thread that is still joinable calls `std::terminate`: each shutdown ends with SIGABRT and a core
@@ -50,11 +51,21 @@ from bringup_lint.api import rule
 def thread_not_joined(robot: Robot) -> Iterator[Finding]:
     yield from _in_cpp(robot)
     for found in nodes.endless_threads(robot.nodes):
+        message = (
+            f"The thread of {found.function}() never ends: after SIGINT or SIGTERM the process hangs until SIGKILL"
+        )
+        advice, looks = "let its loop ask rclpy.ok()", "this loop has no end"
+        if found.waits is not None:
+            message = (
+                f"The thread of {found.function}() waits in {found.waits.what} without a timeout: after SIGINT or "
+                f"SIGTERM the process hangs {found.waits.how_long}"
+            )
+            advice, looks = "set a timeout for the socket", "asked only after something has arrived"
         yield finding(
             found.file.span_of(found.started),
-            f"The thread of {found.function}() never ends: after SIGINT or SIGTERM the process hangs until SIGKILL",
-            advice="make it a daemon (daemon=True), or let its loop ask rclpy.ok()",
-            related=[note(found.file.span_of(found.loop.test), "this loop has no end")],
+            message,
+            advice=f"make it a daemon (daemon=True), or {advice}",
+            related=[note(found.file.span_of(found.loop.test), looks)],
             severity=robot.nodes.lowered(found.file.source, "warning"),
         )
     for each in nodes.window_spins(robot.nodes):

@@ -11,10 +11,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.callback_code import reached
+from bringup_lint.graph.nodes.sources.device_reads import UNTIL_PACKET
+from bringup_lint.graph.nodes.sources.device_reads import DeviceRead
+from bringup_lint.graph.nodes.sources.device_reads import device_read
+from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.endless_loops import has_no_exit
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import written
@@ -45,6 +50,8 @@ class EndlessThread(NamedTuple):
     started: ast.Call
     loop: ast.While
     function: str
+    waits: DeviceRead | None = None
+    """The read for which a loop that has an end waits."""
 
 
 def endless_threads(nodes: Nodes) -> Iterator[EndlessThread]:
@@ -53,21 +60,37 @@ def endless_threads(nodes: Nodes) -> Iterator[EndlessThread]:
         text = file.source.text
         if "Thread(" not in text or "spin" not in text or _ENDS.search(text):
             continue
-        syntax = nodes.syntax(file)
-        for call in syntax.named.get("threading.Thread", []):
-            yield from _of(file, syntax, call)
+        ending = nodes.ending(file)
+        for call in ending.syntax.named.get("threading.Thread", []):
+            yield from _of(ending, call)
 
 
-def _of(file: NodeSource, syntax: Syntax, call: ast.Call) -> Iterator[EndlessThread]:
+def _of(ending: Ending, call: ast.Call) -> Iterator[EndlessThread]:
+    file, syntax = ending.file, ending.syntax
     given = {each.arg: each.value for each in call.keywords}
     cls = syntax.class_of(call)
     if "daemon" in given or None in given or cls is None or cls.is_node is not True or cls.method("__init__") is None:
         return
     name = _method(given.get("target"))
     method = cls.methods.get(name)
-    loop = _loop(syntax, method.node, cls) if method is not None else None
+    if method is None:
+        return
+    loop = _loop(syntax, method.node, cls)
     if loop is not None:
         yield EndlessThread(file, call, loop, name)
+        return
+    yield from _deaf(ending, cls, method, call)
+
+
+def _deaf(ending: Ending, cls: NodeClass, method: Function, started: ast.Call) -> Iterator[EndlessThread]:
+    """The first loop of a method that asks whether it goes on only when the other side of a socket has sent
+    something."""
+    for loop in (each for each in body_of(method.node) if isinstance(each, ast.While)):
+        reads = (device_read(ending, call, cls) for call in own_calls(loop.body))
+        waits = next((each for each in reads if each is not None and each.how_long == UNTIL_PACKET), None)
+        if waits is not None:
+            yield EndlessThread(ending.file, started, loop, method.name, waits)
+            return
 
 
 def _method(target: ast.expr | None) -> str:
