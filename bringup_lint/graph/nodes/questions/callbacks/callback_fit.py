@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.callback_code import reached
+from bringup_lint.graph.nodes.sources.endless_loops import is_forever
+from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -14,6 +16,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import children
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -154,26 +157,43 @@ def _left_open(syntax: Syntax, node: NodeClass, method: FunctionNode) -> str | N
         return None
     if _CANCELED not in called:
         return "goal"
-    return "reached" if _ends_uncanceled(method) else None
+    return "reached" if _ends_uncanceled(syntax, method) else None
 
 
-def _ends_uncanceled(method: FunctionNode) -> bool:
+def _ends_uncanceled(syntax: Syntax, method: FunctionNode) -> bool:
     """Whether a method comes to its last ``return`` without a call of ``canceled()`` before it, other than in a branch
     that leaves the method."""
     *before, last = method.body
-    return isinstance(last, ast.Return) and not any(_may_cancel(each) for each in before)
+    return isinstance(last, ast.Return) and not _may_cancel(before) and not any(_stays(syntax, each) for each in before)
 
 
-def _may_cancel(statement: ast.stmt) -> bool:
-    """Whether the method may go on after a call of ``canceled()`` in a statement."""
-    blocks = [statement.body, statement.orelse] if isinstance(statement, (ast.If, ast.For, ast.While)) else []
-    if not blocks:
-        return any(getattr(each, "attr", None) == _CANCELED for each in walk(statement))
-    return any(
-        not isinstance(block[-1], (ast.Return, ast.Raise)) and any(_may_cancel(each) for each in block)
-        for block in blocks
-        if block
-    )
+def _stays(syntax: Syntax, statement: ast.stmt) -> bool:
+    """Whether nothing after a statement is reached as long as the program runs."""
+    if isinstance(statement, ast.While):
+        return is_forever(syntax, statement) and not _has_own_break(statement)
+    return isinstance(statement, ast.Raise)
+
+
+def _has_own_break(loop: ast.While) -> bool:
+    inner: list[ast.AST] = list(loop.body)
+    for each in inner:
+        if isinstance(each, ast.Break):
+            return True
+        if not isinstance(each, (ast.For, ast.AsyncFor, ast.While, *FUNCTIONS, ast.ClassDef)):
+            inner += children(each)
+    return False
+
+
+def _may_cancel(statements: list[ast.stmt]) -> bool:
+    """Whether the method may go on after a call of ``canceled()`` in statements of it."""
+    inner = list(statements)
+    for each in inner:
+        if isinstance(each, (ast.If, ast.For, ast.While)):
+            blocks = [block for block in (each.body, each.orelse) if block]
+            inner += [one for block in blocks if not isinstance(block[-1], (ast.Return, ast.Raise)) for one in block]
+        elif any(getattr(one, "attr", None) == _CANCELED for one in walk(each)):
+            return True
+    return False
 
 
 def _is_asked(syntax: Syntax, name: ast.Name) -> bool:
