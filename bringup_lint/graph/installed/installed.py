@@ -43,7 +43,7 @@ _EXPANDING = frozenset({"shell-script", "env-file"})
 _NOT_JOINED = regex(r"launch|python|params|package|cmake|authorized-keys|ssh-")
 _COPIES = frozenset({"cp", "install", "ln", "mv", "rsync"})
 _OF_SYSTEM = regex(r"/(?:etc|usr|lib|opt|srv|home|boot)/")
-"""Where a script puts what the robot uses, and no copy that is kept aside."""
+"""Where a script puts what the robot uses."""
 _VALUED = {"install": ("-o", "-g", "-m", "-S"), "rsync": ("-e",), "cp": ("-S",), "mv": ("-S",), "ln": ("-S",)}
 
 
@@ -197,8 +197,13 @@ def _place(files: Files, placed: dict[str, str]) -> None:
             continue
         if source is None:
             _claim(files, path, place)
-        elif source.robot_path is None or (source.robot_path != place and _OF_SYSTEM.match(place)):
+        elif source.robot_path is None or (source.robot_path != place and _is_used_at(place, source)):
             files.tree.place(source, place)
+
+
+def _is_used_at(place: str, source: Source) -> bool:
+    """Whether a file means at a place what it means in the tree, so that it is no copy that is kept aside."""
+    return bool(_OF_SYSTEM.match(place)) and kind_of(place.lstrip("/"), lambda: source.text[:HEAD_SIZE]) == source.kind
 
 
 def _is_unit(place: str) -> bool:

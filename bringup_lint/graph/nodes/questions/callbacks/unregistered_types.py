@@ -4,6 +4,7 @@ them."""
 from __future__ import annotations
 
 import ast
+import os
 import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -78,7 +79,7 @@ def _imported(nodes: Nodes, file: NodeSource) -> set[str] | None:
     """The modules of tf2 that a program imports, also through files of the tree; None where it imports something that
     may do so unseen."""
     files = nodes.imported(file)
-    if files is None or any("import_module" in each.source.text for each in files):
+    if files is None or any("import_module" in each.source.text or _has_package_code(nodes, each) for each in files):
         return None
     found: set[str] = set()
     for each in files:
@@ -90,6 +91,16 @@ def _imported(nodes: Nodes, file: NodeSource) -> set[str] | None:
             elif not (_is_known(top, rest) or _is_of_tree(nodes, module, each)):
                 return None
     return found
+
+
+def _has_package_code(nodes: Nodes, file: NodeSource) -> bool:
+    """Whether Python runs an ``__init__.py`` that imports something before it comes to a file."""
+    folder = os.path.dirname(file.source.absolute)
+    while (source := nodes.files.tree.at(f"{folder}/__init__.py")) is not None:
+        if source is not file.source and "import" in source.said:
+            return True
+        folder = os.path.dirname(folder)
+    return False
 
 
 def _is_of_tree(nodes: Nodes, module: str, file: NodeSource) -> bool:
