@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callbacks.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.callbacks.canceled_goals import canceled_goals
     from bringup_lint.graph.nodes.questions.callbacks.early_results import early_results
+    from bringup_lint.graph.nodes.questions.callbacks.early_results import fields_of_futures
     from bringup_lint.graph.nodes.questions.callbacks.endless_answers import endless_answers
     from bringup_lint.graph.nodes.questions.callbacks.ignored_cancels import ignored_cancels
     from bringup_lint.graph.nodes.questions.callbacks.loop_variables import late_bound
@@ -230,6 +231,7 @@ __all__ = [
     "ends_thread",
     "enum_members",
     "fed_without_condition",
+    "fields_of_futures",
     "format_texts",
     "given_in_order",
     "given_up",

@@ -5,10 +5,13 @@
 whether it is done, or runs the executor. It is an info where nothing takes the result, as where all that call the
 function which returns it drop its value.
 
+Also a field of the response that is read of the future itself: `future.success`, where a local variable keeps the
+future and nothing else.
+
 ## Why it matters on a robot
 `call_async()` only sends the request, and `result()` of a future that is not done is None. The node takes the request
 for failed, or stops with `AttributeError: 'NoneType' object has no attribute 'success'`, while the other node carries
-it out.
+it out. A future has no fields of the response: the node stops with AttributeError each time.
 
 ## Bad
 ```python
@@ -40,9 +43,23 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["AttributeError: 'NoneType' object has no attribute 'success'"])
+@rule(
+    "warning",
+    symptoms=[
+        "AttributeError: 'NoneType' object has no attribute 'success'",
+        "AttributeError: 'Future' object has no attribute '*'",
+    ],
+)
 def result_before_response(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.robot_sources:
+        for field in nodes.fields_of_futures(robot.nodes.syntax(file)):
+            yield finding(
+                file.span_of(field.read),
+                f"A future has no '{field.read.attr}', only its result() has: AttributeError each time",
+                advice="read it of result() when the answer is there, in a callback of add_done_callback()",
+                related=[note(file.span_of(field.asked), "the future comes from here")],
+                severity=robot.nodes.lowered(file.source, "error"),
+            )
         found = sorted(nodes.early_results(robot.nodes, robot.nodes.syntax(file)), key=lambda each: not each.is_used)
         if not found:
             continue
