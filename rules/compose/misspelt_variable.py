@@ -7,6 +7,9 @@ or `ROS_DOMAIN_ID`. And a key that nothing else in the tree has, and that differ
 which a program or script of the tree knows. One letter is left out, there twice, the one beside it on the keyboard, or
 exchanged with the next.
 
+Also `${NAME}` that nothing sets, where the `.env` beside the file sets exactly one longer or shorter name of the same
+beginning, and nothing reads that: `NTRIP_USER` and `NTRIP_USERNAME`. Silent where the compose file has an `env_file`.
+
 ## Why it matters on a robot
 docker compose puts nothing in the place of the variable, or its default: the setting of the robot has no effect. A
 misspelt key sets a variable that no program of the container reads.
@@ -35,9 +38,11 @@ from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import variables
@@ -54,6 +59,8 @@ KEY = regex(
 ASSIGNED = regex(r"^[ \t]*(?:export[ \t]+)?([A-Za-z_]\w{3,})=", re.M, "=")
 COMMENT = regex(r"(?:^|[ \t])#")
 SETS = ("compose", "env-file")
+OF_SHELL = frozenset("HOME USER PATH SHELL LANG TERM LOGNAME HOSTTYPE SUDO_USER SSH_AUTH_SOCK".split())
+"""What every shell that starts docker compose has."""
 WELL_KNOWN = ("DISPLAY", "HOSTNAME", "XAUTHORITY", "XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "COMPOSE_PROJECT_NAME")
 
 
@@ -81,6 +88,44 @@ def _misspelt_names(robot: Robot, source: Source) -> Iterator[Finding]:
                 f"Nothing sets {name}: docker compose puts nothing or the default in its place",
                 advice=f"did you mean {meant[0]}?",
             )
+    for name, match in {match["name"]: match for match in reversed(used)}.items():
+        other = _abridged(robot, source, name)
+        if other is not None:
+            yield finding(
+                source.located(*match.span("name")),
+                f"Nothing sets {name}: docker compose puts nothing or the default in its place, and nothing reads "
+                f"{other}",
+                advice=f"did you mean {other}?",
+                related=[note(other, "set here")],
+            )
+
+
+def _abridged(robot: Robot, source: Source, name: str) -> Located | None:
+    """The only variable of the ``.env`` beside a file that begins as a name, or the reverse, where nothing reads it."""
+    if name in OF_SHELL or name in WELL_KNOWN or name in variables() or "env_file" in source.text:
+        return None
+    beside = f"{source.name.rpartition('/')[0]}/.env".lstrip("/")
+    files = [file for file in robot.of_kind("env-file") if file.name == beside]
+    near = [
+        file.located(*match.span(1))
+        for file in files
+        for match in ASSIGNED.finditer(file.text)
+        if _begins_as(name, match[1]) and not _is_elsewhere(robot, file, match[1], match.start(1))
+    ]
+    return near[0] if len(near) == 1 and not _is_set(robot, source, name) else None
+
+
+def _begins_as(name: str, other: str) -> bool:
+    """Whether one name is the other and more than a letter, which would be a slip."""
+    return abs(len(name) - len(other)) > 1 and (other.startswith(name) or name.startswith(other))
+
+
+def _is_set(robot: Robot, source: Source, name: str) -> bool:
+    """Whether another file may set a variable before docker compose reads it."""
+    sets = re.compile(
+        rf"\bexport[ \t]+{name}\b|(?<!\w){name}[\"'\]]{{0,2}}[ \t]{{0,9}}[:?+]{{0,2}}=|^[ \t]*{name}:", re.M
+    )
+    return any(name in each.text and sets.search(each.text) for each in robot.sources if each is not source)
 
 
 def _misspelt_keys(robot: Robot, source: Source) -> Iterator[Finding]:
@@ -112,10 +157,10 @@ def _alone(name: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
 
 
-def _is_elsewhere(robot: Robot, source: Source, name: str, at: int) -> bool:
-    """Whether a name is in another place of the tree."""
+def _is_elsewhere(robot: Robot, source: Source, name: str, *at: int) -> bool:
+    """Whether a name is in another place of the tree than some of one file."""
     alone = _alone(name)
-    if any(found.start() != at for found in alone.finditer(source.text)):
+    if any(found.start() not in at for found in alone.finditer(source.text)):
         return True
     return any(name in each.text and alone.search(each.text) for each in robot.sources if each is not source)
 
