@@ -6,8 +6,11 @@ nothing else of the tree names, where a script makes a folder beside it whose na
 `/var/log/rover` and `/var/log/rovers`. Also `>` and `tee` into a folder that Debian and Ubuntu do not have before
 somebody makes it (`/etc/systemd/journald.conf.d`, `/etc/systemd/system/NAME.service.d`), or that a package brings of
 which nothing in the tree speaks (`/etc/iptables`), where no other line of the tree names it. Folders that differ in a
-number are two folders, and those that packages of the
-system bring, such as `/etc/ssh/sshd_config.d` and `/usr/local/bin`, are there.
+number are two folders, and those that packages of the system bring, such as `/etc/ssh/sshd_config.d` and
+`/usr/local/bin`, are there.
+
+Also what a script copies, links or writes into a folder that differs in a letter from one of the system, such as
+`/etc/udev/rule.d`, and that no script makes.
 
 ## Why it matters on a robot
 The shell cannot open the file, and does not run the command: nothing is calibrated, started or logged. The only message
@@ -74,6 +77,27 @@ PACKAGED = {
     "/etc/wireguard": ("wireguard",),
 }
 """Folder -> the packages that bring it, of which none is there by itself."""
+SYSTEM = (
+    "/etc/udev/rules.d",
+    "/etc/systemd/system",
+    "/etc/systemd/network",
+    "/etc/sysctl.d",
+    "/etc/modprobe.d",
+    "/etc/modules-load.d",
+    "/etc/sudoers.d",
+    "/etc/netplan",
+    "/etc/cron.d",
+    "/etc/profile.d",
+    "/etc/logrotate.d",
+    "/etc/security/limits.d",
+    "/etc/ld.so.conf.d",
+    "/etc/apt/sources.list.d",
+    "/etc/NetworkManager/system-connections",
+    "/usr/share/keyrings",
+    "/usr/local/bin",
+)
+"""Folders in which people install files, and which every Debian and Ubuntu for robots has."""
+COPIES = ("cp", "mv", "ln", "install", "rsync")
 PLAIN = regex(r"~?(?:/[\w.-]+){2,}")
 TWO = regex(r"(?<![\w.@-])(?=([\w.@-]+/[\w.@-]+))")
 
@@ -82,6 +106,7 @@ TWO = regex(r"(?<![\w.@-])(?=([\w.@-]+/[\w.@-]+))")
 def folder_missing(robot: Robot) -> Iterator[Finding]:
     made = _made(robot)
     yield from _absent(robot, made)
+    yield from _misspelt(robot, made)
     if not made:
         return
     known = set(_known(made))
@@ -133,6 +158,32 @@ def _absent(robot: Robot, made: dict[str, Located]) -> Iterator[Finding]:
                 advice=f"install {PACKAGED[folder][0]}" if folder in PACKAGED else f"run mkdir -p {folder} before it",
                 related=[note(each, "nor this") for each in others],
             )
+
+
+def _misspelt(robot: Robot, made: dict[str, Located]) -> Iterator[Finding]:
+    """What scripts put into a folder that is nearly one of the system."""
+    seen = set()
+    for word, path in _targets(robot):
+        for folder in (path.rstrip("/"), posixpath.dirname(path.rstrip("/"))):
+            if folder in SYSTEM or folder in made or not folder.startswith(("/etc/", "/usr/")):
+                continue
+            meant = nearest(folder, SYSTEM, 1) if BROUGHT.fullmatch(folder) is None else []
+            if len(meant) == 1 and not numbered(folder, meant[0]) and word.span not in seen:
+                seen.add(word.span)
+                yield finding(
+                    word,
+                    f"The system has no {folder}: what is to be there is not read",
+                    advice=f"write {meant[0]}",
+                )
+
+
+def _targets(robot: Robot) -> Iterator[tuple[Located, str]]:
+    """Where scripts put files on the robot."""
+    for source, run in robot.scripts.run(*COPIES):
+        if source.judged and len(run.words) > 2:
+            yield run.words[-1], run.text(run.words[-1])
+    found = robot.scripts.written("/etc/", "/usr/")
+    yield from ((written.where, written.path) for source, written in found if source.judged)
 
 
 def _is_brought(robot: Robot, folder: str) -> bool:
