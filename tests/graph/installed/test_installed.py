@@ -124,10 +124,10 @@ def test_a_script_knows_better_than_the_name_of_a_folder(tmp_path: Path, target:
 
 
 def test_a_copy_that_is_kept_aside_leaves_the_file_where_it_is(tmp_path: Path) -> None:
-    folder = tmp_path / "root/etc/systemd/system/robot.service.d"
+    folder = tmp_path / "rootfs/etc/systemd/system/robot.service.d"
     folder.mkdir(parents=True)
     (folder / "own.conf").write_text("[Service]\nUser=robot\n")
-    robot = robot_of(tmp_path, setup_sh="cp root/etc/systemd/system/robot.service.d/own.conf /opt/kept/own.conf\n")
+    robot = robot_of(tmp_path, setup_sh="cp rootfs/etc/systemd/system/robot.service.d/own.conf /opt/kept/own.conf\n")
     (source,) = robot.of_kind("systemd-dropin")
     assert source.robot_path == "/etc/systemd/system/robot.service.d/own.conf"
 
