@@ -3,7 +3,7 @@
 ## What it finds
 `docker run -d`, `docker start` or `docker compose up -d` as the main process of a service that is not
 Type=oneshot or Type=forking. With RemainAfterExit=, containers with a restart policy of their own are not
-reported. It is an error where ExecStop= takes containers down.
+reported. It is an error where ExecStop= takes these containers down however the service ended.
 
 ## Why it matters on a robot
 The client exits as soon as the container runs. systemd takes that for the end of the service: it runs
@@ -69,7 +69,7 @@ def docker_run_detached(robot: Robot) -> Iterator[Finding]:
                     related=[note(remains.where, "keeps the service active")],
                 )
             continue
-        stop = _stop(robot, unit)
+        stop = _stop(robot, unit, start)
         yield finding(
             start.verb,
             f"The client exits as soon as the container runs: {unit.name} ends at once, and "
@@ -84,10 +84,10 @@ def docker_run_detached(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _stop(robot: Robot, unit: Unit) -> Located | None:
-    """What takes containers down when the service ends."""
+def _stop(robot: Robot, unit: Unit, start: DockerStart) -> Located | None:
+    """What takes the containers down when the service ends."""
     ends = (each for each in robot.units.processes(unit) if each.key == "ExecStop")
-    return next((word for each in ends if (word := docker_stop(each)) is not None), None)
+    return next((word for each in ends if (word := docker_stop(start, each)) is not None), None)
 
 
 def _again(unit: Unit) -> str:

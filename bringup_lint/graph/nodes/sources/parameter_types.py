@@ -7,6 +7,7 @@ import ast
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import type_of_default
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 
 FIELDS = {"double_value": "double", "integer_value": "integer", "bool_value": "bool", "string_value": "string"}
@@ -69,7 +70,10 @@ def _first_text(call: ast.Call) -> str | None:
 
 
 def _is_declared_again(syntax: Syntax, declared: Parameter) -> bool:
-    """Whether a source declares the parameter in several places, for example one for each model of a device."""
-    calls = (each for each in syntax.calls if isinstance(each.func, ast.Attribute) and each.args)
-    declaring = (each.args[0] for each in calls if each.func.attr == "declare_parameter")  # type: ignore[attr-defined]
+    """Whether a source declares the parameter in several places, for example one for each model of a device, or asks
+    whether a class that it builds on has done so."""
+    calls = [each for each in syntax.calls if each.args]
+    if any(called_name(each) == "has_parameter" for each in calls):
+        return True
+    declaring = (each.args[0] for each in calls if called_name(each) == "declare_parameter")
     return sum(isinstance(each, ast.Constant) and each.value == declared.name for each in declaring) > 1

@@ -16,6 +16,8 @@ _CLIENTS = frozenset({"docker", "nvidia-docker"})
 _COMPOSE = frozenset({"docker-compose"})
 _STARTING = frozenset({"run", "start", "up"})
 _STOPPING = frozenset({"down", "stop", "kill", "rm"})
+_ASKS_HOW = "SERVICE_RESULT"
+"""What tells a command of ExecStop= how the service ended. Source: systemd.exec(5)."""
 _IGNORES = "--ignore-pull-failures"
 _OWN_REGISTRIES = ("localhost", "127.0.0.1", "$", "{")
 _DAEMON_OPTIONS = frozenset({"-H", "--host", "-c", "--context", "--config", "-l", "--log-level"})
@@ -41,6 +43,13 @@ class DockerStart(NamedTuple):
         return any(word == "--detach" or _has_letter(word, "d") for word in self.options)
 
     @property
+    def containers(self) -> tuple[str, ...]:
+        """The names of the containers, where the command gives them."""
+        if self.verb == "run":
+            return tuple(str(each.value) for each in run_options(self.options) if each.name == "--name")
+        return tuple(str(word) for word in self.options if not word.startswith("-"))
+
+    @property
     def restarted_by_docker(self) -> bool:
         """Whether a restart policy that the command gives keeps the container running."""
         return any(word.startswith("--restart") and word != "--restart=no" for word in self.options)
@@ -51,9 +60,18 @@ def docker_starts(process: Process) -> Iterator[DockerStart]:
     return _commands(process, _STARTING)
 
 
-def docker_stop(process: Process) -> Located | None:
-    """The word by which a process takes containers down."""
-    return next((each.verb for each in _commands(process, _STOPPING)), None)
+def docker_stop(start: DockerStart, process: Process) -> Located | None:
+    """The word by which a process always takes down what a command has started."""
+    if _ASKS_HOW in process.line:
+        return None
+    return next((each.verb for each in _commands(process, _STOPPING) if _takes_down(each, start)), None)
+
+
+def _takes_down(stop: DockerStart, start: DockerStart) -> bool:
+    named = {str(word) for word in stop.options if not word.startswith("-")}
+    if start.compose or stop.compose:
+        return start.compose and stop.compose and not named
+    return not named.isdisjoint(start.containers)
 
 
 def docker_pulls(process: Process) -> Iterator[Located]:

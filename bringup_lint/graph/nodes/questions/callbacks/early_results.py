@@ -31,8 +31,8 @@ class EarlyResult(NamedTuple):
 
 
 _OF_FUTURE = frozenset(
-    ("add_done_callback", "cancel", "cancelled", "done", "exception", "executing", "result", "set_exception")
-    + ("set_executor", "set_result", "remove_pending_request")
+    "add_done_callback cancel cancelled done exception executing result set_exception set_executor set_result "
+    "remove_pending_request".split()
 )
 """What a future of rclpy has. Source: rclpy/task.py."""
 
