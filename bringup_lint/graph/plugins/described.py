@@ -102,6 +102,12 @@ def included_from(tree: Tree, paths: list[str]) -> list[str]:
     return list(found)
 
 
+def included_names(tree: Tree) -> set[str]:
+    """The names of the files that some description includes."""
+    sources = (source for path in descriptions(tree) if (source := tree.at(path)) is not None)
+    return {name.rpartition("/")[2] for source in sources for name in _INCLUDED.findall(source.text)}
+
+
 def includes_elsewhere(tree: Tree, packages: Container[str], paths: list[str]) -> bool:
     """Whether one of these descriptions includes a file that the tree does not have."""
     sources = (source for path in paths if (source := tree.at(path)) is not None)

@@ -10,6 +10,7 @@ from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
 from bringup_lint.graph.plugins.described import descriptions
 from bringup_lint.graph.plugins.described import included_from
+from bringup_lint.graph.plugins.described import included_names
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.spelling import nearest
@@ -63,9 +64,10 @@ def unknown_names(tree: Tree, packages: Collection[str]) -> Iterator[UnknownName
 
 
 def _models(tree: Tree) -> Iterator[tuple[str, Located]]:
-    """The names of robots that one description has."""
+    """The names of robots that one description has which is no part of another one."""
     found: dict[str, list[Located]] = {}
-    for path in descriptions(tree):
+    parts = included_names(tree)
+    for path in (each for each in descriptions(tree) if each.rpartition("/")[2] not in parts):
         source = tree.at(path)
         root = parse(source).root if source is not None and not source.template else None
         name = root.get("name") if root is not None and root.name == "robot" else None

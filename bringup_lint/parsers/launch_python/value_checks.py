@@ -155,7 +155,7 @@ def _condition(thing: Any) -> Found:
 
 
 def _python_file(thing: Any) -> Found:
-    if _end(thing).endswith((".xml", ".yaml", ".yml", ".launch")):
+    if _end(thing).endswith((".xml", ".yaml", ".yml")):
         yield "script", thing
 
 
@@ -170,7 +170,7 @@ def _end(thing: Any) -> str:
     if isinstance(thing, Sequence):
         last = next((item for _, item in reversed(thing.items)), None)
     elif isinstance(thing, (Concat, PathJoin)):
-        last = thing.parts[-1]
+        last = thing.parts[-1] if thing.parts else None
     if last is not thing:
         return _end(last)
     return str(thing.value) if _is_text(thing) else ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _FILE = "joint_limits.yaml"
+_PLACE = f"config/{_FILE}"
+"""Where MoveItConfigsBuilder looks for it, in its package."""
 _SECTION = "joint_limits"
 _READ_IF = {
     "min_position": "",
@@ -33,6 +36,8 @@ def integer_limits(params: Params) -> Iterator[tuple[str, Scalar]]:
         source = tree.at(path)
         owner = workspace.owner(source) if source is not None else None
         if source is None or owner is None or not source.judged or source.template:
+            continue
+        if path != os.path.join(owner.folder, _PLACE):
             continue
         if any(".srdf" in each for each in tree.walked_below(owner.folder)):
             yield from _of_file(source)
