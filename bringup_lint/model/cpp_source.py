@@ -109,7 +109,7 @@ class WrongDuration(NamedTuple):
     place: Span
     kind: str
     """``cast`` and ``cut``: whole seconds are made of a fraction; ``small``: it is a few nanoseconds; ``milli``: of
-    milliseconds it makes nanoseconds."""
+    milliseconds it makes nanoseconds; ``throttle``: a log takes it as milliseconds."""
     number: str
 
 

@@ -2,12 +2,14 @@
 
 ## What it finds
 `rclcpp::Duration(seconds, nanoseconds)` whose seconds are a fraction, or whose second number is less than a
-millisecond, or one that is called milliseconds. As an info, `std::chrono::seconds` of a `double` that is cast to a
+millisecond, or one that is called milliseconds; and the period of `RCLCPP_INFO_THROTTLE` and the like, when it is less
+than 20. As an info, `std::chrono::seconds` of a `double` that is cast to a
 whole number.
 
 ## Why it matters on a robot
 The seconds are a whole number: 0.5 becomes 0, and a timeout that is to be half a second is none. The second number
-counts nanoseconds: 100 is not 100 ms, and a lookup that is to wait for a transform does not wait at all. Where
+counts nanoseconds: 100 is not 100 ms, and a lookup that is to wait for a transform does not wait at all. A log that is
+to come once a second comes with each call, and fills the disk with what the callback of a sensor has to say. Where
 `update()` of a controller compares its period with such a duration, to publish less often, it publishes each time; with
 the right duration it would never do so, because the period is that of the controller manager.
 
@@ -25,6 +27,7 @@ buffer_.lookupTransform("map", "base_link", stamp, rclcpp::Duration::from_second
 When so short a time is meant.
 
 ## References
+- rclcpp, logging.hpp: the duration of the throttle interval is in milliseconds
 - rclcpp, duration.hpp: `Duration(int32_t seconds, uint32_t nanoseconds)`
 - tried with g++ 12.2: a conversion from `double` is no error in parentheses
 """
@@ -46,6 +49,7 @@ _SAYS = {
         "The second number of rclcpp::Duration is nanoseconds: {} ns is no time",
         "use std::chrono::milliseconds",
     ),
+    "throttle": ("The period of a throttled log is milliseconds: {} ms leaves nothing out", "write 1000 for a second"),
     "milli": ("The second number of rclcpp::Duration is nanoseconds, not {}", "use std::chrono::milliseconds"),
 }
 

@@ -36,8 +36,17 @@ _REST = regex(r"nanoseconds\b|\bfmod\b|\bmodf\b")
 """What takes the fraction that whole seconds leave."""
 
 
+THROTTLED = "_THROTTLE"
+_THROTTLE = regex(r"RCLCPP_[A-Z_]{1,40}_THROTTLE\Z")
+_INSTANT = regex(r"(?:0?\.\d{1,9}|1?[1-9](?:\.\d{0,9})?|10(?:\.\d{0,9})?)\Z")
+"""Milliseconds up to 19: nobody wants a hundred lines of a log a second."""
+
+
 def durations(code: Code) -> Iterator[WrongDuration]:
-    """Those of ``rclcpp::Duration(seconds, nanoseconds)``, and ``std::chrono::seconds`` of a number with a fraction."""
+    """Those of ``rclcpp::Duration(seconds, nanoseconds)``, ``std::chrono::seconds`` of a number with a fraction, and
+    those of logs that are throttled."""
+    if THROTTLED in code.source.text:
+        yield from _of_logs(code)
     if not any(each in code.source.text for each in MADE):
         return
     doubles = frozenset(_DOUBLE.findall(code.source.text))
@@ -54,6 +63,15 @@ def durations(code: Code) -> Iterator[WrongDuration]:
             continue
         if "".join(code.text(node.child_by_field_name("type")).split()) == "rclcpp::Duration":
             yield from _of_pair(code, value, *(code.text(each) for each in value.named_children))
+
+
+def _of_logs(code: Code) -> Iterator[WrongDuration]:
+    """The periods of ``RCLCPP_INFO_THROTTLE(logger, clock, period, text)``."""
+    for call in code.calls:
+        if len(call.arguments) > 3 and _THROTTLE.match(call.name):
+            period = code.text(call.arguments[2])
+            if _INSTANT.match(period):
+                yield WrongDuration(code.span(call.arguments[2]), "throttle", period)
 
 
 def _cast(code: Code, call: Call, doubles: frozenset[str]) -> str | None:
