@@ -200,12 +200,15 @@ class MessageTypes:
     def _feedback(self, cls: NodeClass) -> Iterator[tuple[str, str]]:
         """The methods that ``send_goal_async`` of a client is given for the feedback, each with the action."""
         actions = {each.attribute: each.type for each in cls.endpoints if each.role == "action-client" and each.type}
-        for call in self.syntax.calls if actions else ():
+        if not actions:
+            return
+        for call in self.syntax.calls:
             given = next((each.value for each in call.keywords if each.arg == "feedback_callback"), None)
+            if not isinstance(given, ast.Attribute) or not is_self(given.value):
+                continue
             action = actions.get(written(call.func.value)) if isinstance(call.func, ast.Attribute) else None
-            if action and isinstance(given, ast.Attribute) and is_self(given.value):
-                if self.syntax.class_of(call) is cls:
-                    yield given.attr, action
+            if action and self.syntax.class_of(call) is cls:
+                yield given.attr, action
 
 
 def types_of(file: NodeSource, syntax: Syntax, interfaces: InterfaceFields) -> MessageTypes | None:
