@@ -168,7 +168,7 @@ class Dropped(NamedTuple):
 
     made: Span
     kind: str
-    """``subscription``, ``service``, ``timer`` or ``action server``."""
+    """``subscription``, ``service``, ``timer``, ``action server`` or ``callback group``."""
     variable: str | None
     """The local variable that alone keeps it; None when nothing does."""
 

@@ -1,4 +1,5 @@
-"""Subscriptions, services and timers of a C++ file that nothing keeps: rclcpp holds them only by weak pointers."""
+"""Subscriptions, services, timers and callback groups of a C++ file that nothing keeps: rclcpp holds them only by weak
+pointers."""
 
 from __future__ import annotations
 
@@ -15,12 +16,14 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _SUBSCRIPTION = "subscription"
+_GROUP = "callback group"
 _MADE = {
     "create_subscription": (_SUBSCRIPTION, 3),
     "create_service": ("service", 2),
     "create_wall_timer": ("timer", 2),
     "create_timer": ("timer", 2),
     "create_server": ("action server", 4),
+    "create_callback_group": (_GROUP, 1),
 }
 """What a call makes, and the fewest arguments that it takes."""
 _TYPED = frozenset({_SUBSCRIPTION, "service", "action server"})
@@ -40,7 +43,7 @@ def dropped(code: Code) -> Iterator[Dropped]:
         if not is_made or (kind in _TYPED and call.template is None) or _does_nothing(call):
             continue
         variable = _variable(code, call)
-        if variable is None and not _is_statement(call.node):
+        if variable is None and (kind == _GROUP or not _is_statement(call.node)):
             continue
         if variable is None or _ends_unused(code, call, variable):
             yield Dropped(code.span(call.node), kind, variable)
@@ -62,13 +65,31 @@ def _variable(code: Code, call: Call) -> str | None:
 
 
 def _ends_unused(code: Code, call: Call, variable: str) -> bool:
-    """Whether a function names a variable only once, and returns before an executor can run."""
+    """Whether a function names a variable only once, or hands a callback group on to what holds no pointer to it, and
+    returns before an executor can run."""
     body = code.body_of(call.node)
     if body is None or code.function_name(call.node) in (None, "main"):
         return False
     text = _STRING.sub('""', code.text(body))
     rest = text.replace(_STRING.sub('""', code.text(call.node)), "", 1)
-    return len(re.findall(rf"\b{re.escape(variable)}\b", text)) == 1 and not _LASTS.search(rest)
+    if call.name == "create_callback_group":
+        is_lost = _is_handed_on(code, body, text, variable)
+    else:
+        is_lost = len(re.findall(rf"\b{re.escape(variable)}\b", text)) == 1
+    return is_lost and not _LASTS.search(rest)
+
+
+def _is_handed_on(code: Code, body: Node, text: str, name: str) -> bool:
+    """Whether a function only gives a local object to what makes subscriptions, timers, services and clients, as an
+    argument or in options that it gives only to them."""
+    inside = (each for each in code.calls if body.start_byte <= each.node.start_byte < body.end_byte)
+    makers = (each for each in inside if each.name.startswith("create_"))
+    given = sum(code.text(argument) == name for each in makers for argument in each.arguments)
+    options = re.findall(rf"(?<![\w.>])(\w+)\.callback_group\s*=\s*{re.escape(name)}\s*;", text)
+    fields = len(re.findall(rf"\b{re.escape(name)}\.", text))
+    uses = len(re.findall(rf"\b{re.escape(name)}\b", text))
+    is_all = uses == 1 + given + fields + len(options) and given + len(options) > 0
+    return is_all and all(_is_handed_on(code, body, text, option) for option in options)
 
 
 def _does_nothing(call: Call) -> bool:
