@@ -308,8 +308,8 @@ class ObjectAsValue(NamedTuple):
     """A ``LaunchConfiguration`` that code takes for its text."""
 
     how: str
-    """``compared``, ``compared with nothing``, ``condition``, ``text``, ``path``, ``number``, ``added``, ``looked-up``
-    or ``argument-name``."""
+    """``compared``, ``compared with nothing``, ``condition``, ``text``, ``path``, ``number``, ``added``, ``looked-up``,
+    ``argument-name`` or ``configuration-name``."""
     span: Span
     argument: Argument
 

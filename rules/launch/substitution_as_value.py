@@ -3,9 +3,10 @@
 ## What it finds
 `LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
 with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
-instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning, and an info where the
-default is a text or a path and no include of the tree gives anything else: what it keeps out seldom comes. A key is a
-warning where the included file has the same value as its default.
+instead of a name as the key in `launch_arguments`, or in `LaunchConfigurationEquals` and
+`LaunchConfigurationNotEquals`. A comparison with the empty text is a warning, and an info where the default is a text
+or a path and no include of the tree gives anything else: what it keeps out seldom comes. A key is a warning where the
+included file has the same value as its default.
 
 ## Why it matters on a robot
 The description is built before launch knows any argument, and the object is not its value. A comparison is always
@@ -57,6 +58,10 @@ EFFECTS = {
     "added": ("is an object and no text: launch ends with a TypeError", "write a list of parts"),
     "number": ("is an object and no number: launch ends with a TypeError", ADVICE),
     "looked-up": ("is an object: the dictionary has no such key", ADVICE),
+    "configuration-name": (
+        "stands where its name belongs: no configuration is called so, and the condition never changes",
+        "quote the name",
+    ),
     "argument-name": ("is the name of an argument here: the include gets one called as its value", "quote the name"),
 }
 

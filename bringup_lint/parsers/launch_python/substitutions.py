@@ -30,6 +30,7 @@ from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.unperformed import is_text
+from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Located
 
 
@@ -151,6 +152,7 @@ def _equals_condition(wanted: bool) -> Builder:
         expected = freeze.text(state, args.need("expected_value", 1))
         span = args.span
         if not isinstance(name, Literal) or not isinstance(name.value, Located):
+            note_object(state, "configuration-name", name, span)
             return Placed(Condition(Unknown("launch configuration", span), wanted, "if", span), span)
         argument = Argument(name.value, None, name.span)
         state.file.reads.append(argument)
