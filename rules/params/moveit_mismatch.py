@@ -6,8 +6,8 @@
 - In `moveit_controllers.yaml`: names in `controller_names` that have no section, or that are named nowhere else in the
   tree, where a parameter file gives the same joints to a trajectory controller of another name; an `action_ns` that the
   controller of that name in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`,
-  gripper controllers `gripper_cmd`. Also fewer joints than the trajectory controller has in every file of the tree,
-  without `allow_partial_joints_goal`.
+  gripper controllers `gripper_cmd`; sections of listed controllers without an `action_ns`. Also fewer joints than the
+  trajectory controller has in every file of the tree, without `allow_partial_joints_goal`.
 - In an SRDF: links and joints of groups, chains, states and the like that the description of the tree with the same
   robot name does not have, where it has most of the names.
 - A launch file that starts MoveIt with controllers in a namespace (`/arm/arm_controller`), and no controller manager
@@ -58,6 +58,7 @@ from bringup_lint.api.params import MoveItProblem
         "No kinematics plugins defined. Fill and load kinematics.yaml!",
         "Cannot find planning configuration for group *. Will use defaults instead.",
         "Action client not connected to action server",
+        "No action namespace specified for controller",
         "Joints on incoming trajectory don't match the controller joints.",
         "Unable to identify any set of controllers that can actuate the specified joints",
         "is not known to the URDF",
@@ -73,6 +74,8 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             )
         elif each.kind == "section":
             message = f"'{each.name}' has no section with its type and joints: MoveIt leaves the controller out"
+        elif each.kind == "no-action":
+            message = f"'{each.name}' has no action_ns: MoveIt leaves the controller out and executes nothing on it"
         elif each.kind == "action":
             message = f"The controller serves '{each.near}', not '{each.name}': MoveIt waits and executes nothing"
         elif each.kind == "joints":
@@ -114,6 +117,8 @@ def _advice(each: MoveItProblem) -> str:
         return "give both the same joints, or set allow_partial_joints_goal to true"
     if each.kind == "section":
         return f"write {each.near}" if each.near else f"add a section {each.name}, or take it off the list"
+    if each.kind == "no-action":
+        return f"write action_ns instead of {each.near}" if each.near else "add the action that the controller serves"
     return f"write {each.near}" if each.near else "name a group of the robot"
 
 

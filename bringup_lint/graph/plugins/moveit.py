@@ -39,7 +39,7 @@ _SERVED = {
 
 class MoveItProblem(NamedTuple):
     kind: str
-    """``group``, ``planners``, ``controller``, ``action``, ``section`` or ``joints``."""
+    """``group``, ``planners``, ``controller``, ``action``, ``no-action``, ``section`` or ``joints``."""
     name: Located
     known: tuple[Located, ...]
     """The groups of the SRDF, the controller that has the same joints, the type that serves another action, or the
@@ -68,6 +68,7 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
         source = tree.at(path)
         if source is not None and source.judged:
             yield from _controllers(source, params)
+            yield from _without_action(source)
             yield from _actions(source, params)
             yield from _joints(source, params)
 
@@ -208,6 +209,21 @@ def _joints_of(params: Params, controller: str) -> list[tuple[Located, set[str],
         found.append((Located(controller, each.key.span), joints, is_partial or any("$" in one for one in joints)))
     types = {each.value.data for _, each in params.named(f"{controller}.type")}
     return found if types == {"joint_trajectory_controller/JointTrajectoryController"} else []
+
+
+def _without_action(source: Source) -> Iterator[MoveItProblem]:
+    """Sections without ``action_ns``, for which MoveIt has no default (moveit_simple_controller_manager.cpp)."""
+    root = _root(source)
+    manager = root.mapping(_MANAGER) if root is not None else None
+    listed = set(map(str, controller_names(source)))
+    for key, own in manager.entries if manager is not None else ():
+        if str(key.value) in listed and isinstance(own, Mapping) and "action_ns" not in _keys(own):
+            near = nearest("action_ns", sorted(_keys(own)))
+            yield MoveItProblem("no-action", key.value, (), near[0] if len(near) == 1 else None)
+
+
+def _keys(section: Mapping) -> set[str]:
+    return {str(key.value) for key, _ in section.entries}
 
 
 def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
