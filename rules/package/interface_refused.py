@@ -3,9 +3,10 @@
 ## What it finds
 In the `.msg`, `.srv` and `.action` files from which a package generates interfaces: types that are neither primitive
 nor a message (`flaot64`), messages that the package, or another one of the tree, does not have, and messages that are
-nearly those of a common package (`std_msgs/Headder`), names of fields that are not lower case with underscores, names
-of constants that are not upper case, names that are there twice, lines without a name, bad sizes of arrays, and another
-number of `---` than the kind of interface has.
+nearly those of a common package (`std_msgs/Headder`), names of files that are not in upper camel case
+(`msg/wheel_state.msg`), names of fields that are not lower case with underscores, names of constants that are not upper
+case, names that are there twice, lines without a name, bad sizes of arrays, and another number of `---` than the kind
+of interface has.
 
 ## Why it matters on a robot
 The build of the package stops, and so does that of each package that depends on it.
@@ -44,6 +45,7 @@ _SAID = {
     "unknown": "There is no message {word}",
     "array": "{word} is no array",
     "no-name": "The field {word} has no name",
+    "file-name": "{word} has no name of an interface",
     "field-name": "{word} is not a name of a field",
     "constant-type": "{word} is not a type of a constant",
     "constant-name": "{word} is not a name of a constant",
@@ -55,6 +57,7 @@ _ADVICE = {
     "unknown": "write a message that exists, with its package",
     "array": "write [], [N] or [<=N]",
     "no-name": "write a type and a name",
+    "file-name": "rename the file: a capital letter, then letters and digits",
     "field-name": "write lower case letters, digits and single underscores",
     "constant-type": "write a primitive type",
     "constant-name": "write upper case letters, digits and single underscores",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cache
@@ -14,6 +15,7 @@ from bringup_lint.graph.interface_files import KINDS
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import interface_grammar
 from bringup_lint.parsers.interface_grammar import PRIMITIVE
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.spelling import nearest
 from bringup_lint.spelling import numbered
@@ -25,6 +27,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Workspace
     from bringup_lint.parsers.interface_grammar import FieldType
     from bringup_lint.source import Source
+
+
+_FILE = regex(r"(?P<kind>msg|srv|action)/(?P<name>[\w-]+)\.(?P<ending>msg|srv|action)\Z")
+_NAME = regex(r"[A-Z][A-Za-z0-9]*\Z")
+"""The names of interfaces that rosidl takes."""
 
 
 class RefusedDefinition(NamedTuple):
@@ -41,6 +48,8 @@ def refused_definitions(
 ) -> Iterator[RefusedDefinition]:
     for package in workspace.packages.values():
         interfaces = interfaces_of(package)
+        if package.complete and not package.manifest.for_both:
+            yield from _misnamed(files, package, interfaces)
         if not is_judged(package, interfaces) or not interfaces.generators or package.manifest.for_both:
             continue
         for path in _generated(package, interfaces):
@@ -53,6 +62,18 @@ def refused_definitions(
             if problems:
                 problems.sort(key=lambda each: each.span.start)
                 yield RefusedDefinition(package, source, problems)
+
+
+def _misnamed(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[RefusedDefinition]:
+    """Files that the command lists, and whose name is none of an interface."""
+    for word in interfaces.words or ():
+        match = _FILE.match(word)
+        path = os.path.join(package.folder, word)
+        if match is None or _NAME.match(match["name"]) or not files.tree.exists(path) or not word.span.source.judged:
+            continue
+        meant = "".join(part[:1].upper() + part[1:] for part in match["name"].split("_"))
+        problem = Problem("file-name", word, f"{match['kind']}/{meant}.{match['ending']}" if _NAME.match(meant) else "")
+        yield RefusedDefinition(package, word.span.source, [problem])
 
 
 def _generated(package: Package, interfaces: PackageInterfaces) -> Iterator[str]:
