@@ -6,11 +6,14 @@ number with which a command of the tree starts one (`fastdds discovery -i N`), a
 the variable, the place in the list is the number, so that `;10.0.0.5:11811` is server 1. In a file, the third byte of
 the prefix `44.53.00.5f.45.50.52.4f.53.49.4d.41` is.
 
+A unit, a script, a service or a Dockerfile that starts a server without a number (`-i`) and without a file (`-x`),
+which Fast DDS 2 refuses, is an error.
+
 Silent where the number of a server is not known, and from Kilted on: Fast DDS 3 does not compare the prefixes.
 
 ## Why it matters on a robot
 The client reaches the server, and does not take its answers, because they come from another prefix. No node discovers
-another, and nothing is logged.
+another, and nothing is logged. A server without a number ends at once.
 
 ## Bad
 ```sh
@@ -28,15 +31,18 @@ export ROS_DISCOVERY_SERVER=";10.0.0.5:11811"
 When these clients belong to another server, which is started outside of the tree.
 
 ## References
+- Fast DDS 2.6 and 2.14, `tools/fds/server.cpp`: "Server id is mandatory if not defined in the XML file"
 - Fast DDS 2.14 documentation, "ROS_DISCOVERY_SERVER" and "CLI discovery", `--server-id`
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -54,6 +60,11 @@ PORT = regex(r"(?<!\S)[\"']?-(?:p|-udp-port|-port)[\"',=\s]{1,9}(?P<port>[^\s\"'
 BY_FILE = regex(r"(?<!\S)[\"']?-(?:x|-xml-file)\b")
 NO_START = regex(r"#|\b(?:p?grep|p?kill|killall|pidof|echo)\b")
 """The command is only looked for or spoken of."""
+LOCAL = regex(r"(?<!\S)-(?:l|-udp-address|-listening-address|p|-udp-port|-port)\b")
+NUMBERED = regex(r"(?<!\S)-(?:\w*i|-server-id|x|-xml-file|h|-help|e|-example|v|-version)\b|[$%{@]")
+"""A number or a file, what needs neither, and what may stand for them."""
+LAUNCH = ("launch-python", "launch-xml")
+"""Their words may be in lists."""
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin", "compose", "dockerfile", "launch-python", "launch-xml")
 PREFIX = regex(r"44\.53\.(?P<number>[0-9a-fA-F]{2})\.5f\.45\.50\.52\.4f\.53\.49\.4d\.41", hints="44.53")
 ADDRESS = regex(r"(?:[\w.-]+|\[[0-9a-fA-F:]+\])(?::(?P<port>\d+))?")
@@ -68,12 +79,13 @@ class Server(NamedTuple):
     where: Located
 
 
-@rule("warning", confidence="medium", silent="clients of a discovery server wait for it forever")
+@rule("warning", confidence="medium", symptoms=["Server id is mandatory if not defined in the XML file"])
 def discovery_server_id(robot: Robot) -> Iterator[Finding]:
     if not robot.mentions(STARTS):
         return
     if at_least(robot.target.ros, "humble") is not True or at_least(robot.target.ros, "kilted") is not False:
         return
+    yield from _unnumbered(robot)
     started = list(_started(robot))
     known = [each for each in started if each is not None]
     if not known or len(known) < len(started):
@@ -94,23 +106,40 @@ def discovery_server_id(robot: Robot) -> Iterator[Finding]:
             )
 
 
+def _commands(robot: Robot) -> Iterator[tuple[Source, re.Match[str]]]:
+    """The commands of the tree that start a server."""
+    for source in robot.of_kind(*KINDS):
+        if source.judged and "discovery" in source.text:
+            for match in STARTS.finditer(source.text):
+                if match["options"].strip() and not NO_START.search(source.line_before(match.start())[-LINE:]):
+                    yield source, match
+
+
+def _unnumbered(robot: Robot) -> Iterator[Finding]:
+    """Those that Fast DDS 2 refuses: any other options may come out of a variable, or be of another line."""
+    for source, match in _commands(robot):
+        options = match["options"]
+        if LOCAL.search(options) and not NUMBERED.search(options) and source.kind not in LAUNCH:
+            yield finding(
+                source.located(match.start(), match.start("options")),
+                "The server gets no number (-i) and no file (-x): it ends at once, and no node discovers another",
+                advice="add -i 0",
+                severity="error",
+            )
+
+
 def _started(robot: Robot) -> Iterator[Server | None]:
     """The servers that commands of the tree start; None for one whose number or port is not known."""
-    for source in robot.of_kind(*KINDS):
-        if not source.judged or "discovery" not in source.text:
-            continue
-        for match in STARTS.finditer(source.text):
-            options = match["options"]
-            number, port = NUMBER.search(options), PORT.search(options)
-            if NO_START.search(source.line_before(match.start())[-LINE:]) or not options.strip():
-                continue
-            value = port["port"] if port else DEFAULT
-            if number is None or not number["number"].isdecimal() or BY_FILE.search(options) or not value.isdecimal():
-                yield None
-            else:
-                begin = match.start("options") + number.start("number")
-                where = source.located(begin, begin + len(number["number"]))
-                yield Server(int(number["number"]), value, where)
+    for source, match in _commands(robot):
+        options = match["options"]
+        number, port = NUMBER.search(options), PORT.search(options)
+        value = port["port"] if port else DEFAULT
+        if number is None or not number["number"].isdecimal() or BY_FILE.search(options) or not value.isdecimal():
+            yield None
+        else:
+            begin = match.start("options") + number.start("number")
+            where = source.located(begin, begin + len(number["number"]))
+            yield Server(int(number["number"]), value, where)
 
 
 def _of_variables(robot: Robot) -> Iterator[list[Server]]:
