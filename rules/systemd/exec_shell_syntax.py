@@ -5,6 +5,9 @@ Unquoted words such as &&, ||, |, >, 2>&1, < or &, and command substitution with
 command line whose program is not a shell with -c. Programs that pass their arguments to a shell, such as ssh
 and watch, are exempt. `rm -f x || true` is an info, as is docker's: it ignores the names that are not there.
 
+A `~/` at the beginning of an argument is found where the program certainly takes it as the name of a file: the script
+of `bash`, `sh` or `python3`, and what `mkdir`, `cp`, `cat` and others of coreutils get.
+
 ## Why it matters on a robot
 systemd passes these words to the program as arguments. The second command never runs, the log file is never
 written, and systemd-analyze verify does not report it.
@@ -45,6 +48,8 @@ from bringup_lint.api.systemd import Command
 _OPERATOR = regex(r"&&|\|\|?|&|[0-9]?>{1,2}(?:&[0-9]|[\w./-]+)?|&>{1,2}[\w./-]*|<<?[\w./-]*")
 _SUBSTITUTION = regex(r"\$\([^)]|`")
 _SHELLS = ("sh", "bash", "dash", "zsh", "ksh")
+_INTERPRETER = regex(r"(?:ba|da|z|k)?sh|python[0-9.]*|perl|node")
+_OF_FILES = ("mkdir", "cp", "mv", "rm", "chmod", "chown", "touch", "cat", "ln", "install")
 _HANDS_ON = (
     "ssh",
     "autossh",
@@ -69,6 +74,7 @@ def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
             names = [word.rpartition("/")[2] for word in command.argv]
             if names[0] in _HANDS_ON or _has_shell(names):
                 continue
+            yield from _tilde(line.key, names[0], command)
             for word in command.arguments:
                 plain = word.span.text == word
                 if (plain and _OPERATOR.fullmatch(word)) or _SUBSTITUTION.search(word):
@@ -80,6 +86,19 @@ def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
                         severity="info" if _is_harmless(command) else None,
                     )
                     break
+
+
+def _tilde(key: str, program: str, command: Command) -> Iterator[Finding]:
+    """The first name of a file with a tilde that nothing expands."""
+    words = [word for word in command.arguments if not word.startswith("-")]
+    files = words[:1] if _INTERPRETER.fullmatch(program) else words if program in _OF_FILES else []
+    for word in (each for each in files if each.startswith("~/")):
+        yield finding(
+            word,
+            f"No shell expands the tilde in {key}=: {program} looks for a folder that is called '~'",
+            advice="write the home in full",
+        )
+        return
 
 
 def _has_shell(names: list[str]) -> bool:
