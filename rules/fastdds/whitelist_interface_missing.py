@@ -4,6 +4,9 @@
 An `interfaceWhiteList` address that no interface of the robot's netplan has. Files are compared only below
 the same root, and only if no interface gets its address by DHCP.
 
+And the name of an interface in the place of an address, on a robot with ROS 2 up to Iron: Fast DDS takes names since
+2.14.
+
 ## Why it matters on a robot
 The library filters out all whitelisted interfaces: it creates the node, but the readers of the node fail.
 
@@ -26,6 +29,7 @@ If something other than netplan assigns the address on the robot, such as a VPN 
 
 ## References
 - Fast DDS 2.14.5, tested with the real library
+- https://github.com/eProsima/Fast-DDS/pull/3988, which adds names
 """
 
 from collections.abc import Iterator
@@ -34,18 +38,29 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import address_of
+from bringup_lint.api.ros import at_least
+
+NAME = regex(r"(?:e(?:th|n)|wl|br|can|wg|tun|usb|docker)[\w.-]*")
 
 
 @rule("error", symptoms=["All whitelist interfaces were filtered out"])
 def whitelist_interface_missing(robot: Robot) -> Iterator[Finding]:
+    takes_names = at_least(robot.target.ros, "jazzy") is not False
     for profiles in robot.dds.profile_files:
         own = robot.dds.own_addresses(profiles)
-        if not own:
-            continue
         for element in profiles.document.elements:
             if element.name != "address" or element.parent is None or element.parent.name != "interfaceWhiteList":
+                continue
+            if not takes_names and NAME.fullmatch(element.text):
+                yield finding(
+                    element.text,
+                    f"Fast DDS of {robot.target.ros} compares addresses only: {element.text} is filtered out",
+                    advice="write the address of the interface",
+                )
+            if not own:
                 continue
             address = address_of(element.text)
             if address is not None and not address.is_loopback and str(address) not in own:
