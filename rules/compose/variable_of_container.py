@@ -8,6 +8,8 @@
 - where the text puts something before or after it: `PYTHONPATH=$PYTHONPATH:/opt/drive`; as information where the text
   sources a setup file after that, which sets it again.
 
+Also the host's side of a mount or a device, where the service itself gives NAME to the container.
+
 Silent where `.env`, a script, a recipe of make or a text for people sets NAME: compose may know it then.
 
 ## Why it matters on a robot
@@ -79,6 +81,10 @@ SETUP = regex(r"(?:\bsource|[\s;&|]\.)[ \t]{1,9}[^\s;&|]{0,300}setup\.\w", hints
 """What sets the paths of ROS, whatever they were before."""
 SAME = r"\$(?:{0}\b|\{{{0}(?:\}}|:?\?))"
 """The value of a variable that the container gets as docker compose knows it."""
+OF_LOGIN = regex(
+    r"HOME|USER|LOGNAME|PWD|SHELL|TERM|LANG|HOSTNAME|DISPLAY|XAUTHORITY|UID|GID|SSH_AUTH_SOCK|(?:XDG|ROS)_\w+"
+)
+"""What the shell of whoever calls docker compose has."""
 READ = 200_000
 LONGEST = 20_000
 MOST = 64
@@ -95,6 +101,8 @@ class Use(NamedTuple):
     before: str
     adds: bool
     """A colon and another folder follow."""
+    of_host: bool = False
+    """Not what the container runs: docker compose alone reads it."""
 
 
 class Setter(NamedTuple):
@@ -110,7 +118,7 @@ def variable_of_container(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         if file.source.judged and not file.source.template and "$" in file.source.text:
             found: set[tuple[str, bool]] = set()
-            for use in (use for service in file.services for use in _uses(service)):
+            for use in (use for each in file.services for use in (*_uses(each), *_host_uses(each))):
                 setter = _setter(robot, use) if (use.name, False) not in found else None
                 if setter is None or (use.name, setter.again) in found:
                     continue
@@ -131,7 +139,24 @@ def _uses(service: Service) -> Iterator[Use]:
                 yield Use(service, text, where, name, text[: match.start("use")], match["adds"] is not None)
 
 
+def _host_uses(service: Service) -> Iterator[Use]:
+    """The variables in what compose takes from the host."""
+    sources = (volume.source for volume in service.volumes if volume.source is not None)
+    for text in (*sources, *(device.host for device in service.devices)):
+        for match in islice(USED.finditer(text), MOST):
+            name = match["braced"] or match["plain"]
+            if not OF_LOGIN.fullmatch(name):
+                yield Use(service, text, text.part(*match.span("use")), name, "", False, True)
+
+
 def _report(use: Use, setter: Setter) -> Finding:
+    if use.of_host:
+        return finding(
+            use.where,
+            f"docker compose takes {use.name} from .env or the host alone: nothing is put in here",
+            advice=f"set {use.name} in .env beside this file, or write its value here",
+            related=[note(setter.where, "set for the container alone")] if setter.where is not None else [],
+        )
     in_shell = any(SHELL.fullmatch(word) for word in use.service.scripts)
     return finding(
         use.where,
@@ -150,6 +175,9 @@ def _setter(robot: Robot, use: Use) -> Setter | None:
     if takes is not None and takes["name"] == use.name and (use.adds or takes["adds"]):
         again = use.name != "PATH" and SETUP.search(use.text, len(use.before)) is not None
         return Setter(None, "the one of the image is lost", again)
+    if use.of_host:
+        given = _set_by_service(robot, use)
+        return Setter(given, "") if given is not None else None
     where = _set_in_text(use) or _set_by_service(robot, use) or _set_by_image(robot, use)
     return Setter(where, "nothing, where only the container has it") if where is not None else None
 
