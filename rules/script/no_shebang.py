@@ -3,8 +3,8 @@
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
 or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells,
-which are never started. One behind blanks or empty lines is a warning where something of the tree starts the script,
-and else an info: from a shell it starts.
+which are never started. A folder that no system has, such as `/usr/env/bin`, is an error. One behind blanks or empty
+lines is a warning where something of the tree starts the script, and else an info: from a shell it starts.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
@@ -48,6 +48,8 @@ MISSPELT = regex(
     re.M,
 )
 """A first line with such a mistake."""
+WRONG = regex(r"#![ \t]*(/(?:usr/env/bin|user/bin|usr/bin/bin|bin/usr|usr/(?:ba|da|z)?sh|usr/env)(?![\w.-])\S{0,100})")
+"""An interpreter in a folder that no system has."""
 INDENTED = regex(r"[ \t\r\n]+(#![ \t]*/[^\n]*)")
 
 
@@ -79,6 +81,14 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
                 related=[note(program, f"{unit.name} starts it")],
             )
     for source in robot.of_kind("shell-script"):
+        wrong = WRONG.match(source.text) if source.judged and not source.template else None
+        if wrong is not None:
+            path = source.located(*wrong.span(1))
+            yield finding(
+                path,
+                f"No system has {path}: the kernel cannot start the script",
+                advice="write #!/usr/bin/env bash, or the path of the interpreter",
+            )
         if not source.judged or source in seen or source.text.startswith("#!"):
             continue
         indented = INDENTED.match(source.said) if not source.template else None
