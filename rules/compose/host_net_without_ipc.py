@@ -1,7 +1,8 @@
 """Containers on the host network do not share memory.
 
 ## What it finds
-Two or more ROS services with `network_mode: host` and Fast DDS, when one of them has neither `ipc: host` nor a
+Two or more services that run ROS, by what they or the image that the tree builds start, with `network_mode: host` and
+Fast DDS, when one of them has neither `ipc: host` nor a
 shared `/dev/shm`. Silent if a transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory, and where
 the image of a service is not known, because it may select another middleware. If every service selects Fast DDS
 explicitly, `fastdds/shm-docker` reports the problem. The services of one file are one finding.
@@ -53,7 +54,7 @@ TRANSPORTS = (
 )
 def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
-        services = [s for s in file.services if s.is_ros and s.is_whole and s.is_on_host_network]
+        services = [s for s in file.services if s.is_whole and s.is_on_host_network and robot.runners.runs_ros2(s)]
         if len(services) < 2 or file.source.template or not all(_is_fast_dds(robot, service) for service in services):
             continue
         if all(robot.compose.variables(service, "RMW_IMPLEMENTATION") for service in services):

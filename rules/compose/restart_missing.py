@@ -1,7 +1,8 @@
 """Nothing restarts a ROS container.
 
 ## What it finds
-A ROS service without a restart policy. Services in a profile, and services with `restart: "no"`, are not reported.
+A ROS service without a restart policy, also one that starts ROS by the image that the tree builds. Services in a
+profile, and services with `restart: "no"`, are not reported.
 It is a warning for services that are the bring-up by their names or launch files, if one of them launches ROS with
 devices of the robot, and nothing of the tree stays with the containers as `docker compose up` does without `-d`, nor
 does its README or a comment tell people to run that. The only service of a tree needs no such name. Services of one
@@ -64,7 +65,7 @@ BESIDE = regex(r"rviz|\bgcs|desktop|sleep infinity", re.I)
 def restart_missing(robot: Robot) -> Iterator[Finding]:
     files: dict[Source, list[Service]] = {}
     for service in robot.compose.whole_services:
-        if service.is_ros:
+        if robot.runners.runs_ros2(service):
             files.setdefault(service.name.span.source, []).append(service)
     called = bool(files) and (robot.mentions(CALLS) or robot.tree.says(PAGE, MOST, CALLS))
     for services in files.values():

@@ -96,6 +96,11 @@ class Runners:
         """The runner of a compose service; None when its file is not judged."""
         return self._by_service.get(service)
 
+    def runs_ros2(self, service: Service) -> bool:
+        """Whether a service certainly runs something of ROS 2: as its own keys say, or the image that it builds."""
+        runner = self.of_service(service)
+        return service.is_ros or (runner is not None and any(each.name == "ros2" for each in runner.commands))
+
     @cached_property
     def _by_service(self) -> dict[Service, Runner]:
         return {runner.service: runner for runner in self.all if runner.service is not None}
