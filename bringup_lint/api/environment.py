@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.conflicts import Overridden
     from bringup_lint.graph.environment.conflicts import conflicts
     from bringup_lint.graph.environment.env_files import UsedEnvFile
+    from bringup_lint.graph.environment.env_files import docker_env_files
     from bringup_lint.graph.environment.images import missing_middleware
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.environment.ros import Setting
@@ -23,5 +24,6 @@ __all__ = [
     "Setting",
     "UsedEnvFile",
     "conflicts",
+    "docker_env_files",
     "missing_middleware",
 ]

@@ -1,8 +1,8 @@
-"""docker run keeps the quotes that systemd removes.
+"""docker run keeps the quotes of an environment file.
 
 ## What it finds
-A file with quoted values that a unit reads with EnvironmentFile= and that a `docker run --env-file` in the tree
-also reads. Compose removes the quotes of env files and is not reported. In the list form of `environment:` it does
+A file with quoted values that a `docker run --env-file` of a unit reads, whether a unit reads it with EnvironmentFile=
+as well or not. Compose removes the quotes of env files and is not reported. In the list form of `environment:` it does
 not: `- NAME="value"` keeps them.
 
 ## Why it matters on a robot
@@ -36,6 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import docker_env_files
 
 MOST = 20
 
@@ -43,6 +44,7 @@ MOST = 20
 @rule("warning", fix="unsafe", symptoms=["Expected RMW implementation identifier of '\"*\"' but instead found"])
 def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
     yield from _of_env_files(robot)
+    yield from _of_docker_alone(robot)
     if robot.of_kind("compose"):
         yield from _of_services(robot)
 
@@ -94,4 +96,22 @@ def _of_env_files(robot: Robot) -> Iterator[Finding]:
                     note(file.readers[0].value, "systemd reads it here"),
                 ],
                 fix=fix("remove the quotes", edit) if plain else None,
+            )
+
+
+def _of_docker_alone(robot: Robot) -> Iterator[Finding]:
+    """The files that no unit reads itself."""
+    for model, reader in docker_env_files(robot.files, robot.units):
+        quoted = [each for each in model.entries if each.quoted]
+        if quoted:
+            first, *others = quoted
+            more = f" (and {len(others)} more)" if others else ""
+            yield finding(
+                first.name,
+                f"docker keeps the quotes of {first.name}{more} as part of the value",
+                advice="write the value without quotes",
+                related=[
+                    note(reader, "docker reads it here"),
+                    *(note(each.name, "and here") for each in others[:MOST]),
+                ],
             )

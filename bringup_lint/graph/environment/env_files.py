@@ -145,6 +145,13 @@ class UsedEnvFile:
         return len(_LOOKS_LIKE_ENTRY.findall(rest))
 
 
+def docker_env_files(files: Files, units: Units) -> list[tuple[EnvFile, Located]]:
+    """Every environment file that only a ``docker run`` of a unit reads, and the word that names it."""
+    own = {file.source for unit in units.judged for file in units.environment_files(unit)}
+    read = {each: word for each, word in Mentions(files, units).of_docker.items() if each.judged and each not in own}
+    return [(model, read[model.source]) for model in files.parsed(parse, read)]
+
+
 def used_env_files(files: Files, units: Units) -> list[UsedEnvFile]:
     """Every environment file of the tree that a judged unit reads."""
     readers: dict[str, list[Reader]] = {}
