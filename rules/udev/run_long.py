@@ -2,7 +2,8 @@
 
 ## What it finds
 `RUN` or `PROGRAM` with `ros2 launch`, `ros2 run`, `roslaunch`, a launch file, a `sleep` of 6 s or more,
-`nohup`, `setsid`, a background process, or `systemd-run --scope`. Commands that hand the work to systemd
+`nohup`, `setsid`, a background process, or `systemd-run --scope`; also a script of the tree that runs `ros2 launch` or
+`ros2 run` itself. Commands that hand the work to systemd
 (`systemd-run` without `--scope`, `systemctl --no-block`) are not reported.
 
 ## Why it matters on a robot
@@ -28,11 +29,14 @@ events of the device wait for it.
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -46,6 +50,7 @@ _LASTING = (
     (regex(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long sleep"),
     (regex(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
 )
+_STAYS = regex(r"^[ \t]*(?:exec[ \t]+)?(ros2[ \t]+(?:launch|run)\b)", re.M, hints="ros2")
 _HANDED_OVER = regex(
     r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.{0,400}--no-block|--no-block\b.{0,400}\bsystemctl\b|\bat\s+now\b"
 )
@@ -66,3 +71,19 @@ def run_long(robot: Robot) -> Iterator[Finding]:
                         advice='start a unit instead: TAG+="systemd", ENV{SYSTEMD_WANTS}+="name.service"',
                     )
                     break
+            else:
+                yield from _of_script(robot, command.text)
+
+
+def _of_script(robot: Robot, text: Located) -> Iterator[Finding]:
+    """A script of the tree that the command runs, and that stays with ROS."""
+    path = next(iter(text.split()), "")
+    script = robot.find(path, text.span.source) if path.startswith("/") else None
+    found = _STAYS.search(script.said) if script is not None else None
+    if script is not None and found is not None:
+        yield finding(
+            text,
+            "udev kills a ROS program when the event that started it ends, at the latest after 180 s",
+            advice='start a unit instead: TAG+="systemd", ENV{SYSTEMD_WANTS}+="name.service"',
+            related=[note(script.located(*found.span(1)), "the script stays with it here")],
+        )
