@@ -3,14 +3,15 @@
 ## What it finds
 In C++ sources of nodes, `create_subscription`, `create_service`, `create_wall_timer`, `create_timer` and
 `rclcpp_action::create_server` whose pointer is thrown away, or kept only in a local variable of a function that uses it
-nowhere else and returns. Also `create_callback_group` in a local variable that the function only gives to what it
-makes, as an argument or in local options. Functions that spin, sleep or wait, and `main`, are left out.
+nowhere else and returns. Also `create_callback_group` in a local variable that the function only gives to the timers,
+services and clients that it makes; a subscription keeps the group of its options. Functions that spin, sleep or wait,
+and `main`, are left out.
 
 ## Why it matters on a robot
-An rclcpp node and its callback groups hold only weak pointers to these objects, and subscriptions, timers and services
-hold none to their group. When the last shared pointer goes, the
-object is destroyed: a watchdog never runs, commands never arrive, and a service is not there. It compiles without a
-warning, and nothing is logged. In rclpy the node keeps them, so the same line in Python works.
+An rclcpp node and its callback groups hold only weak pointers to these objects, and timers, services and clients hold
+none to their group. When the last shared pointer goes, the object is destroyed: a watchdog never runs, commands never
+arrive, and a service is not there. It compiles without a warning, and nothing is logged. In rclpy the node keeps them,
+so the same line in Python works.
 
 ## Bad
 ```cpp

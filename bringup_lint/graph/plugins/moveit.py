@@ -223,7 +223,7 @@ def _without_action(source: Source) -> Iterator[MoveItProblem]:
 
 
 def _keys(section: Mapping) -> set[str]:
-    return {str(key.value) for key, _ in section.entries}
+    return {str(key.value) for key, _ in section.merged}
 
 
 def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:

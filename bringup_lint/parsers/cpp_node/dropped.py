@@ -26,6 +26,7 @@ _MADE = {
     "create_callback_group": (_GROUP, 1),
 }
 """What a call makes, and the fewest arguments that it takes."""
+_HOLD_NO_GROUP = frozenset({"create_wall_timer", "create_timer", "create_service", "create_client"})
 _TYPED = frozenset({_SUBSCRIPTION, "service", "action server"})
 """Made by templates, to which the type of the interface is given."""
 _OWNER = regex(r"(?:this->|(?:rclcpp|rclcpp_action)::|\w{0,40}(?i:node)\w{0,40}(?:\(\))?(?:->|\.))?create_\w+\Z")
@@ -80,16 +81,12 @@ def _ends_unused(code: Code, call: Call, variable: str) -> bool:
 
 
 def _is_handed_on(code: Code, body: Node, text: str, name: str) -> bool:
-    """Whether a function only gives a local object to what makes subscriptions, timers, services and clients, as an
-    argument or in options that it gives only to them."""
+    """Whether a function only gives a local callback group to what makes timers, services and clients, which hold no
+    pointer to it; subscriptions keep the options that they are made with."""
     inside = (each for each in code.calls if body.start_byte <= each.node.start_byte < body.end_byte)
-    makers = (each for each in inside if each.name.startswith("create_"))
+    makers = (each for each in inside if each.name in _HOLD_NO_GROUP)
     given = sum(code.text(argument) == name for each in makers for argument in each.arguments)
-    options = re.findall(rf"(?<![\w.>])(\w+)\.callback_group\s*=\s*{re.escape(name)}\s*;", text)
-    fields = len(re.findall(rf"\b{re.escape(name)}\.", text))
-    uses = len(re.findall(rf"\b{re.escape(name)}\b", text))
-    is_all = uses == 1 + given + fields + len(options) and given + len(options) > 0
-    return is_all and all(_is_handed_on(code, body, text, option) for option in options)
+    return given > 0 and len(re.findall(rf"\b{re.escape(name)}\b", text)) == 1 + given
 
 
 def _does_nothing(call: Call) -> bool:
