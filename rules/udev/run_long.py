@@ -2,9 +2,9 @@
 
 ## What it finds
 `RUN` or `PROGRAM` with `ros2 launch`, `ros2 run`, `roslaunch`, a launch file, a `sleep` of 6 s or more,
-`nohup`, `setsid`, a background process, or `systemd-run --scope`; also a script of the tree that runs `ros2 launch` or
-`ros2 run` itself. Commands that hand the work to systemd
-(`systemd-run` without `--scope`, `systemctl --no-block`) are not reported.
+`nohup`, `setsid`, a background process, or `systemd-run --scope`; also a shell script of the tree that always runs
+`ros2 launch` itself. Commands that hand the work to systemd (`systemd-run` without `--scope`, `systemctl --no-block`)
+are not reported.
 
 ## Why it matters on a robot
 When an event ends, at the latest after 180 s, udev kills everything that the event started, including
@@ -29,7 +29,6 @@ events of the device wait for it.
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,6 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import shell_commands
 
 _LASTING = (
     (
@@ -50,7 +50,6 @@ _LASTING = (
     (regex(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long sleep"),
     (regex(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
 )
-_STAYS = regex(r"^[ \t]*(?:exec[ \t]+)?(ros2[ \t]+(?:launch|run)\b)", re.M, hints="ros2")
 _HANDED_OVER = regex(
     r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.{0,400}--no-block|--no-block\b.{0,400}\bsystemctl\b|\bat\s+now\b"
 )
@@ -79,11 +78,15 @@ def _of_script(robot: Robot, text: Located) -> Iterator[Finding]:
     """A script of the tree that the command runs, and that stays with ROS."""
     path = next(iter(text.split()), "")
     script = robot.find(path, text.span.source) if path.startswith("/") else None
-    found = _STAYS.search(script.said) if script is not None else None
-    if script is not None and found is not None:
-        yield finding(
-            text,
-            "udev kills a ROS program when the event that started it ends, at the latest after 180 s",
-            advice='start a unit instead: TAG+="systemd", ENV{SYSTEMD_WANTS}+="name.service"',
-            related=[note(script.located(*found.span(1)), "the script stays with it here")],
-        )
+    if script is None or script.kind != "shell-script":
+        return
+    for command in shell_commands(script):
+        words = command.words[1:] if command.name == "exec" else command.words
+        if command.depth == 0 and tuple(words[:2]) == ("ros2", "launch"):
+            yield finding(
+                text,
+                "udev kills a ROS program when the event that started it ends, at the latest after 180 s",
+                advice='start a unit instead: TAG+="systemd", ENV{SYSTEMD_WANTS}+="name.service"',
+                related=[note(words[0], "the script stays with it here")],
+            )
+            return
