@@ -152,7 +152,7 @@ class _Needed:
     def lack(self, need: Need) -> Lack | None:
         """None when it is not known to be one, or the package.xml says why it is left out."""
         name = str(need.name)
-        if not self._is_known(need) or self._is_explained(need) or self._is_circular(need):
+        if not name or not self._is_known(need) or self._is_explained(need) or self._is_circular(need):
             return None
         if need.use == "interfaces":
             return None if "rosidl_core_runtime" in self._own else Lack.BROUGHT
