@@ -289,9 +289,9 @@ class NodeClass:
     def all_timers(self) -> list[Timer]:
         return [timer for each in self.lineage for timer in each.timers]
 
-    @property
-    def all_parameters(self) -> dict[str, Parameter]:
-        return {name: found for each in reversed(list(self.lineage)) for name, found in each.parameters.items()}
+    def parameter(self, name: str) -> Parameter | None:
+        """The declaration of a parameter in the class, or in the nearest that it builds on."""
+        return next((each.parameters[name] for each in self.lineage if name in each.parameters), None)
 
     def method(self, name: str) -> Function | None:
         return next((each.methods[name] for each in self.lineage if name in each.methods), None)

@@ -3,11 +3,13 @@ pointers."""
 
 from __future__ import annotations
 
-import re
+from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Dropped
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
@@ -33,11 +35,13 @@ _OWNER = regex(r"(?:this->|(?:rclcpp|rclcpp_action)::|\w{0,40}(?i:node)\w{0,40}(
 _LASTS = regex(r"\b(?:spin|sleep|wait|join|while|get\s{0,4}\()")
 """Words of functions that go on while the executor runs."""
 _STRING = regex(r'"[^"\n]*"')
+_WORD = regex(r"\w+")
 
 
 def dropped(code: Code) -> Iterator[Dropped]:
     """Those whose pointer is thrown away, or kept in a variable that nothing else uses before its function returns."""
     own = {(code.defined_name(each) or "").rpartition("::")[2] for each in code.written.get("function", ())}
+    bodies = _Bodies(code)
     for call in code.calls:
         kind, least = _MADE.get(call.name, ("", 0))
         is_made = kind and len(call.arguments) >= least and call.name not in own and _OWNER.match(call.qualified)
@@ -46,7 +50,7 @@ def dropped(code: Code) -> Iterator[Dropped]:
         variable = _variable(code, call)
         if variable is None and (kind == _GROUP or not _is_statement(call.node)):
             continue
-        if variable is None or _ends_unused(code, call, variable):
+        if variable is None or _ends_unused(code, bodies, call, variable):
             yield Dropped(code.span(call.node), kind, variable)
 
 
@@ -65,28 +69,45 @@ def _variable(code: Code, call: Call) -> str | None:
     return code.text(declarator) if is_plain and not is_static else None
 
 
-def _ends_unused(code: Code, call: Call, variable: str) -> bool:
-    """Whether a function names a variable only once, or hands a callback group on to what holds no pointer to it, and
-    returns before an executor can run."""
-    body = code.body_of(call.node)
-    if body is None or code.function_name(call.node) in (None, "main"):
+def _ends_unused(code: Code, bodies: _Bodies, call: Call, variable: str) -> bool:
+    """Whether a function names a variable only once, or only gives a local callback group to what makes timers,
+    services and clients, which hold no pointer to it; and returns before an executor can run. Subscriptions keep the
+    options that they are made with."""
+    node = code.body_of(call.node)
+    if node is None or code.function_name(call.node) in (None, "main"):
         return False
-    text = _STRING.sub('""', code.text(body))
-    rest = text.replace(_STRING.sub('""', code.text(call.node)), "", 1)
-    if call.name == "create_callback_group":
-        is_lost = _is_handed_on(code, body, text, variable)
-    else:
-        is_lost = len(re.findall(rf"\b{re.escape(variable)}\b", text)) == 1
-    return is_lost and not _LASTS.search(rest)
+    body = bodies.of(node)
+    given = body.given[variable] if call.name == "create_callback_group" else 0
+    is_lost = body.words[variable] == 1 + given and (given > 0 or call.name != "create_callback_group")
+    return is_lost and body.lasts == len(_LASTS.findall(_STRING.sub('""', code.text(call.node))))
 
 
-def _is_handed_on(code: Code, body: Node, text: str, name: str) -> bool:
-    """Whether a function only gives a local callback group to what makes timers, services and clients, which hold no
-    pointer to it; subscriptions keep the options that they are made with."""
-    inside = (each for each in code.calls if body.start_byte <= each.node.start_byte < body.end_byte)
-    makers = (each for each in inside if each.name in _HOLD_NO_GROUP)
-    given = sum(code.text(argument) == name for each in makers for argument in each.arguments)
-    return given > 0 and len(re.findall(rf"\b{re.escape(name)}\b", text)) == 1 + given
+class _Body(NamedTuple):
+    words: Counter[str]
+    given: Counter[str]
+    """The arguments of what holds no pointer to a callback group."""
+    lasts: int
+    """How many words say that the function goes on."""
+
+
+class _Bodies:
+    """The functions of a file, each read once."""
+
+    def __init__(self, code: Code) -> None:
+        self._code = code
+        self._known: dict[int, _Body] = {}
+        self._makers = sorted(
+            (call.node.start_byte, at) for at, call in enumerate(code.calls) if call.name in _HOLD_NO_GROUP
+        )
+
+    def of(self, node: Node) -> _Body:
+        if node.id not in self._known:
+            text = _STRING.sub('""', self._code.text(node))
+            ends = (bisect_left(self._makers, (end, 0)) for end in (node.start_byte, node.end_byte))
+            makers = (self._code.calls[at] for _, at in self._makers[slice(*ends)])
+            given = Counter(self._code.text(argument) for each in makers for argument in each.arguments)
+            self._known[node.id] = _Body(Counter(_WORD.findall(text)), given, len(_LASTS.findall(text)))
+        return self._known[node.id]
 
 
 def _does_nothing(call: Call) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Parameter
@@ -19,6 +20,10 @@ _ANY_TYPE = ("dynamic_typing", "automatically_declare_parameters_from_overrides"
 
 def may_change(syntax: Syntax) -> bool:
     """Whether the parameters of a file may have other types than their defaults."""
+    return syntax.once(_says_so)
+
+
+def _says_so(syntax: Syntax) -> bool:
     return any(word in syntax.file.source.text for word in _ANY_TYPE)
 
 
@@ -37,7 +42,7 @@ def read_type(syntax: Syntax, value: ast.expr) -> str | None:
     else:
         name = _got(value.value)
     cls = syntax.class_of(value) if name is not None else None
-    return declared_type(syntax, cls.all_parameters.get(str(name)) if cls is not None else None)
+    return declared_type(syntax, cls.parameter(str(name)) if cls is not None else None)
 
 
 def declared_type(syntax: Syntax, declared: Parameter | None) -> str | None:
@@ -72,8 +77,14 @@ def _first_text(call: ast.Call) -> str | None:
 def _is_declared_again(syntax: Syntax, declared: Parameter) -> bool:
     """Whether a source declares the parameter in several places, for example one for each model of a device, or asks
     whether a class that it builds on has done so."""
+    times = syntax.once(_declared)
+    return times is None or times[declared.name] > 1
+
+
+def _declared(syntax: Syntax) -> Counter[str] | None:
+    """How often a source declares each parameter; None where it asks whether one is declared."""
     calls = [each for each in syntax.calls if each.args]
     if any(called_name(each) == "has_parameter" for each in calls):
-        return True
-    declaring = (each.args[0] for each in calls if called_name(each) == "declare_parameter")
-    return sum(isinstance(each, ast.Constant) and each.value == declared.name for each in declaring) > 1
+        return None
+    given = (each.args[0] for each in calls if called_name(each) == "declare_parameter")
+    return Counter(each.value for each in given if isinstance(each, ast.Constant) and isinstance(each.value, str))

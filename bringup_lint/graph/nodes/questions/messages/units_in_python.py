@@ -87,7 +87,8 @@ def _limit(types: MessageTypes, node: ast.expr) -> tuple[object, Parameter | Non
     calls = own_calls([value]) if value is not None else iter(())
     call = next((each for each in calls if _name(each.func).endswith("_parameter")), None)
     name = types.file.constant(call.args[0], types.syntax.function(call)) if call is not None and call.args else None
-    found = [each.all_parameters[str(name)] for each in types.file.classes if name in each.all_parameters]
+    declared = (each.parameter(str(name)) for each in types.file.classes)
+    found = [each for each in declared if each is not None]
     return (found[0].default, found[0]) if len(found) == 1 else (None, None)
 
 

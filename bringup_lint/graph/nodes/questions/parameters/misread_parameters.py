@@ -39,7 +39,7 @@ def _in_file(syntax: Syntax) -> Iterator[Misread]:
             continue
         name = asked(node.value)
         cls = syntax.class_of(node) if name is not None else None
-        declared = cls.all_parameters.get(str(name)) if cls is not None else None
+        declared = cls.parameter(str(name)) if cls is not None else None
         kind = declared_type(syntax, declared)
         if declared is None or kind is None or kind == FIELDS[node.attr] or _asks_type(syntax, node):
             continue
