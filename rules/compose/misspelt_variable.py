@@ -122,8 +122,9 @@ def _begins_as(name: str, other: str) -> bool:
 
 def _is_set(robot: Robot, source: Source, name: str) -> bool:
     """Whether another file may set a variable before docker compose reads it."""
+    word = re.escape(name)
     sets = re.compile(
-        rf"\bexport[ \t]+{name}\b|(?<!\w){name}[\"'\]]{{0,2}}[ \t]{{0,9}}[:?+]{{0,2}}=|^[ \t]*{name}:", re.M
+        rf"\bexport[ \t]+{word}\b|(?<!\w){word}[\"'\]]{{0,2}}[ \t]{{0,9}}[:?+]{{0,2}}=|^[ \t]*{word}:", re.M
     )
     return any(name in each.text and sets.search(each.text) for each in robot.sources if each is not source)
 

@@ -215,8 +215,10 @@ def _without_action(source: Source) -> Iterator[MoveItProblem]:
     """Sections without ``action_ns``, for which MoveIt has no default (moveit_simple_controller_manager.cpp)."""
     root = _root(source)
     manager = root.mapping(_MANAGER) if root is not None else None
+    if manager is None:
+        return
     listed = set(map(str, controller_names(source)))
-    for key, own in manager.entries if manager is not None else ():
+    for key, own in manager.entries:
         if str(key.value) in listed and isinstance(own, Mapping) and "action_ns" not in _keys(own):
             near = nearest("action_ns", sorted(_keys(own)))
             yield MoveItProblem("no-action", key.value, (), near[0] if len(near) == 1 else None)
