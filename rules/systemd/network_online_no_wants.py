@@ -3,9 +3,7 @@
 ## What it finds
 A unit ordered after `network-online.target` that nothing pulls in: neither the unit, a unit that it depends
 on, nor another unit of the tree has `Wants=` or `Requires=` of it.
-Exempt are units with a command that waits for the network itself. Where nothing tells that the service takes
-part in ROS 2's communication, whose interfaces are looked for only at the start, it is information: many servers
-listen on all addresses, and come up without one.
+Exempt are units with a command that waits for the network itself.
 
 ## Why it matters on a robot
 `network-online.target` is not part of a normal boot: nothing starts it unless a unit pulls it in. An order
@@ -54,15 +52,13 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
                 continue
             if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE) or waits_itself(unit, units):
                 continue
-            needs_address = unit in units.dds or unit in units.presumed_ros
             needed = f"add Wants={ONLINE}, or remove this After= where nothing needs the network"
             needless = f"remove this After=, or add Wants={ONLINE} where its start needs an address"
             yield finding(
                 word,
                 f"{unit.name} does not pull in {ONLINE}, and nothing else in this tree does: unless an installed "
                 "package pulls it in, this After= has no effect, and the start does not wait for the network",
-                advice=needed if needs_address else needless,
-                severity=None if needs_address else "info",
+                advice=needed if unit in units.dds else needless,
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )
             break
