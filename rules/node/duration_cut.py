@@ -3,7 +3,7 @@
 ## What it finds
 `rclcpp::Duration(seconds, nanoseconds)` whose seconds are a fraction, or whose second number is less than a
 millisecond, or one that is called milliseconds; and the period of `RCLCPP_INFO_THROTTLE` and the like, when it is less
-than 20. As an info, `std::chrono::seconds` of a `double` that is cast to a
+than 10. As an info, `std::chrono::seconds` of a `double` that is cast to a
 whole number.
 
 ## Why it matters on a robot

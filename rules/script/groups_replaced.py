@@ -4,7 +4,7 @@
 - `usermod -G dialout USER` in a script, without `-a`;
 - a task of Ansible's `user` module that gives `groups` to a user that the playbook logs in as, without `append: true`:
   `{{ ansible_user }}`, or the name that the inventory, `ansible.cfg` or `remote_user` gives, also where a variable
-  stands for it that has no other value in the tree.
+  stands for it that has no other value in the tree, and that no prompt, task or loop sets.
 
 Silent for a user that the same script creates, for lists with `sudo`, and for groups that a variable gives.
 
@@ -61,6 +61,11 @@ SETTING = regex(
     r"(?m)^[ \t]*(?P<name>[a-z_]\w{0,60})[ \t]{0,9}[:=][ \t]*(?P<quote>[\"']?)(?P<value>[^\n\"'#]{1,80})(?P=quote)"
 )
 """A variable of one line in an inventory, a play or a file of variables."""
+GIVEN = regex(
+    r"\b(?:name|register|loop_var)[\"']?[ \t]*:[ \t]*[\"']?([a-z_]\w*)[\"']?[ \t]*(?:[,}#\r\n]|\Z)",
+    hints="name register loop_var",
+)
+"""A variable that has its value only when the play runs: from a prompt (``vars_prompt``), a task or a loop."""
 
 
 @rule("warning", symptoms=["is not in the sudoers file", "could not open port /dev/tty*: Permission denied"])
@@ -123,11 +128,13 @@ def _logins(robot: Robot) -> frozenset[str]:
 def _variables_of(robot: Robot, logins: Container[str]) -> Iterator[str]:
     """The variables that have only the names of these users, as a task writes them: ``{{ robot_user }}``."""
     values: dict[str, set[str]] = {}
+    given_later: set[str] = set()
     for source in robot.of_kind("ansible", "ansible-vars"):
+        given_later.update(GIVEN.findall(source.text))
         for match in SETTING.finditer(source.text):
             values.setdefault(match["name"], set()).add(match["value"].strip())
     for name, given in values.items():
-        if all(value in logins or OF_LOGIN.search(value) for value in given):
+        if name not in given_later and all(value in logins or OF_LOGIN.search(value) for value in given):
             yield f"{{{{ {name} }}}}"
 
 

@@ -39,8 +39,8 @@ _NAMING = (".yaml", ".yml", ".xacro", ".urdf", ".sdf", ".json", ".xml", ".em", "
 _DESCRIPTIONS = (".xacro", ".urdf", ".sdf")
 _SIMULATED = regex(r"(?:gz|ign|gazebo)_ros2_control", hints="_ros2_control")
 _PARAMETER_FILE = regex(r"(?<![\w.-])[\w.-]+\.ya?ml(?![\w.])", hints=".yaml .yml")
-_FOR_ALL = "**.type"
-"""What a block for every node gives."""
+_FOR_ALL = frozenset(("*.type", "**.type"))
+"""What a block for every node gives, and one for every node without a namespace."""
 _MOST = 4000
 _SEVERAL = 2
 
@@ -76,7 +76,10 @@ def _spawned_untyped(launch: Launch, params: Params, nodes: Iterable[Started]) -
     """The controllers of spawners whose own files, where they have some, give them no type either."""
     yield from spawned(nodes)
     for node in nodes:
-        if not node.parameters and node.by_default is not False and (brought := _brought(launch, params, node)):
+        if node.parameters or node.by_default is False:
+            continue
+        brought = _brought(launch, params, node)
+        if brought is not None:
             yield from ((node, name) for name in spawned_by(node) if name not in brought)
 
 
@@ -88,7 +91,7 @@ def _brought(launch: Launch, params: Params, spawner: Started) -> set[str] | Non
         word = literal_text(value)
         if before in FILE_OPTIONS:
             names = _names(launch, params, value)
-            if names is None or _FOR_ALL in names:
+            if names is None or not _FOR_ALL.isdisjoint(names):
                 return None
             found = (found or set()).union(_typed_by(names))
         elif word is None or (word.partition("=")[0] in _TYPED and word not in FILE_OPTIONS):

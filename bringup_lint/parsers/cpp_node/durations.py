@@ -38,8 +38,8 @@ _REST = regex(r"nanoseconds\b|\bfmod\b|\bmodf\b")
 
 THROTTLED = "_THROTTLE"
 _THROTTLE = regex(r"RCLCPP_[A-Z_]{1,40}_THROTTLE\Z")
-_INSTANT = regex(r"(?:0?\.\d{1,9}|1?[1-9](?:\.\d{0,9})?|10(?:\.\d{0,9})?)\Z")
-"""Milliseconds up to 19: nobody wants a hundred lines of a log a second."""
+_INSTANT = regex(r"(?:0?\.\d{1,9}|[1-9](?:\.\d{0,9})?)\Z")
+"""Less than 10 milliseconds: nobody wants a hundred lines of a log a second, but 10 may thin out a loop of 1 kHz."""
 
 
 def durations(code: Code) -> Iterator[WrongDuration]:

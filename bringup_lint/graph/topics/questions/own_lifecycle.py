@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 
 _BASE = regex(r"\bpublic\s{1,8}rclcpp_lifecycle::LifecycleNode\b", hints="LifecycleNode")
 _SWITCHES = regex(
-    r"\btrigger_\w|\bTRANSITION_|change_state|ChangeState|auto_?start|lifecycle_manager|nav2_util"
-    r"|(?:\.|->)\s{0,4}configure\s{0,4}\(",
+    r"(?m)\btrigger_\w|\bTRANSITION_|change_state|ChangeState|auto_?start|lifecycle_manager|nav2_util"
+    r"|(?:\.|->)\s{0,4}configure\s{0,4}\("
+    r"|(?:^[ \t]{0,80}|[;{}(=!&|,?]\s{0,80}|\breturn\s{1,9})configure\s{0,4}\(\s{0,4}\w{0,60}\s{0,4}\)",
     hints="trigger_ TRANSITION_ change_state ChangeState autostart auto_start lifecycle_manager nav2_util configure",
 )
-"""By which the sources of a package may configure its nodes."""
+"""By which the sources of a package may configure its nodes, also a member function of the node itself."""
 
 
 def own_lifecycle(topics: Topics, node: Started) -> Located | None:
