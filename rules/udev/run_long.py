@@ -3,8 +3,9 @@
 ## What it finds
 `RUN` or `PROGRAM` with `ros2 launch`, `ros2 run`, `roslaunch`, a launch file, a `sleep` of 6 s or more,
 `nohup`, `setsid`, a background process, or `systemd-run --scope`; also a shell script of the tree that always runs
-`ros2 launch` itself. Commands that hand the work to systemd (`systemd-run` without `--scope`, `systemctl --no-block`)
-are not reported.
+`ros2 launch` itself, in a subshell or a function as well. Commands and scripts that hand work to systemd (`systemd-run`
+without `--scope`, `systemctl --no-block`) are not reported, nor is what a script runs as another user with `su`, which
+may open a session.
 
 ## Why it matters on a robot
 When an event ends, at the latest after 180 s, udev kills everything that the event started, including
@@ -29,6 +30,7 @@ events of the device wait for it.
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,7 +40,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.shell import Block
+from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import shell_blocks
 
 _LASTING = (
     (
@@ -53,6 +57,11 @@ _LASTING = (
 _HANDED_OVER = regex(
     r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.{0,400}--no-block|--no-block\b.{0,400}\bsystemctl\b|\bat\s+now\b"
 )
+_STARTS_ELSEWHERE = regex(
+    r"\bsystemd-run\b|\bsystemctl\b[^\n]{0,200}\b(?:re)?start\b|\bat\s{1,4}now\b", hints="systemd-run systemctl now"
+)
+"""A script that may be meant to run again outside of udev, and launch ROS only there."""
+_TESTS = ("[", "[[", "test")
 
 
 @rule("warning", symptoms=["Spawned process", "timed out, killing", "is taking a long time"])
@@ -78,11 +87,11 @@ def _of_script(robot: Robot, text: Located) -> Iterator[Finding]:
     """A script of the tree that the command runs, and that stays with ROS."""
     path = next(iter(text.split()), "")
     script = robot.find(path, text.span.source) if path.startswith("/") else None
-    if script is None or script.kind != "shell-script":
+    if script is None or script.kind != "shell-script" or _STARTS_ELSEWHERE.search(script.said):
         return
-    for command in shell_commands(script):
+    for command in _always_run(shell_blocks(script), {}):
         words = command.words[1:] if command.name == "exec" else command.words
-        if command.depth == 0 and tuple(words[:2]) == ("ros2", "launch"):
+        if tuple(words[:2]) == ("ros2", "launch"):
             yield finding(
                 text,
                 "udev kills a ROS program when the event that started it ends, at the latest after 180 s",
@@ -90,3 +99,21 @@ def _of_script(robot: Robot, text: Located) -> Iterator[Finding]:
                 related=[note(words[0], "the script stays with it here")],
             )
             return
+
+
+def _always_run(found: Iterable[Block], functions: dict[str, Block]) -> Iterator[Command]:
+    """The commands of statements that no condition holds back, with those of groups and of functions that are called,
+    each once."""
+    before: Command | None = None
+    for block in found:
+        is_tested = before is not None and before.name in _TESTS and before.ends in ("&&", "||")
+        before = block.command
+        if block.kind == "function":
+            functions[block.name] = block
+        elif block.kind == "group" and not is_tested:
+            yield from _always_run(block.bodies[0], functions)
+        elif block.command is not None and not is_tested:
+            yield block.command
+            called = functions.pop(block.command.name, None)
+            if called is not None:
+                yield from _always_run(called.bodies[0], functions)
