@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callbacks.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.callbacks.canceled_goals import canceled_goals
     from bringup_lint.graph.nodes.questions.callbacks.early_results import early_results
-    from bringup_lint.graph.nodes.questions.callbacks.early_results import fields_of_futures
     from bringup_lint.graph.nodes.questions.callbacks.endless_answers import endless_answers
+    from bringup_lint.graph.nodes.questions.callbacks.future_fields import fields_of_futures
     from bringup_lint.graph.nodes.questions.callbacks.ignored_cancels import ignored_cancels
     from bringup_lint.graph.nodes.questions.callbacks.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.callbacks.lost_requests import lost_requests

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.network_online import waits_itself
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.questions.capabilities import file_capabilities
-    from bringup_lint.graph.systemd.questions.docker_clients import DockerStart
+    from bringup_lint.graph.systemd.questions.docker_clients import DockerCommand
     from bringup_lint.graph.systemd.questions.docker_clients import docker_pulls
     from bringup_lint.graph.systemd.questions.docker_clients import docker_starts
     from bringup_lint.graph.systemd.questions.docker_clients import docker_stop
@@ -94,7 +94,7 @@ __all__ = [
     "CrashLoop",
     "Cycle",
     "Defect",
-    "DockerStart",
+    "DockerCommand",
     "Environment",
     "HiddenHome",
     "HomeOrigin",

@@ -2,10 +2,10 @@
 
 ## What it finds
 Two or more services that run ROS, by what they or the image that the tree builds start, with `network_mode: host` and
-Fast DDS, when one of them has neither `ipc: host` nor a
-shared `/dev/shm`. Silent if a transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory, and where
-the image of a service is not known, because it may select another middleware. If every service selects Fast DDS
-explicitly, `fastdds/shm-docker` reports the problem. The services of one file are one finding.
+Fast DDS, when one of them has neither `ipc: host` nor a shared `/dev/shm`. Silent if a transport profile or
+`FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory, and where the image of a service is not known, because it may
+select another middleware. If every service selects Fast DDS explicitly, `fastdds/shm-docker` reports the problem. The
+services of one file are one finding.
 
 ## Why it matters on a robot
 On the host network the containers look like processes of one machine. Fast DDS sends through shared memory that the

@@ -88,8 +88,15 @@ def _misspelt_names(robot: Robot, source: Source) -> Iterator[Finding]:
                 f"Nothing sets {name}: docker compose puts nothing or the default in its place",
                 advice=f"did you mean {meant[0]}?",
             )
-    for name, match in {match["name"]: match for match in reversed(used)}.items():
-        other = _abridged(robot, source, name)
+    yield from _abridged_names(robot, source, {match["name"]: match for match in reversed(used)})
+
+
+def _abridged_names(robot: Robot, source: Source, used: dict[str, re.Match[str]]) -> Iterator[Finding]:
+    beside = _beside(robot, source)
+    if not beside:
+        return
+    for name, match in used.items():
+        other = _abridged(robot, source, name, beside)
         if other is not None:
             yield finding(
                 source.located(*match.span("name")),
@@ -100,17 +107,23 @@ def _misspelt_names(robot: Robot, source: Source) -> Iterator[Finding]:
             )
 
 
-def _abridged(robot: Robot, source: Source, name: str) -> Located | None:
-    """The only variable of the ``.env`` beside a file that begins as a name, or the reverse, where nothing reads it."""
-    if name in OF_SHELL or name in WELL_KNOWN or name in variables() or "env_file" in source.text:
+def _beside(robot: Robot, source: Source) -> list[Located]:
+    """What the ``.env`` beside a compose file sets; nothing where containers may get it, too."""
+    if "env_file" in source.text:
+        return []
+    path = f"{source.name.rpartition('/')[0]}/.env".lstrip("/")
+    files = (file for file in robot.of_kind("env-file") if file.name == path)
+    return [file.located(*match.span(1)) for file in files for match in ASSIGNED.finditer(file.text)]
+
+
+def _abridged(robot: Robot, source: Source, name: str, beside: list[Located]) -> Located | None:
+    """The only variable beside a file that begins as a name, or the reverse, where nothing reads it."""
+    if name in OF_SHELL or name in WELL_KNOWN or name in variables():
         return None
-    beside = f"{source.name.rpartition('/')[0]}/.env".lstrip("/")
-    files = [file for file in robot.of_kind("env-file") if file.name == beside]
     near = [
-        file.located(*match.span(1))
-        for file in files
-        for match in ASSIGNED.finditer(file.text)
-        if _begins_as(name, match[1]) and not _is_elsewhere(robot, file, match[1], match.start(1))
+        each
+        for each in beside
+        if _begins_as(name, each) and not _is_elsewhere(robot, each.span.source, each, each.span.start)
     ]
     return near[0] if len(near) == 1 and not _is_set(robot, source, name) else None
 
@@ -158,10 +171,10 @@ def _alone(name: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
 
 
-def _is_elsewhere(robot: Robot, source: Source, name: str, *at: int) -> bool:
-    """Whether a name is in another place of the tree than some of one file."""
+def _is_elsewhere(robot: Robot, source: Source, name: str, at: int) -> bool:
+    """Whether a name is in another place of the tree than one of a file."""
     alone = _alone(name)
-    if any(found.start() not in at for found in alone.finditer(source.text)):
+    if any(found.start() != at for found in alone.finditer(source.text)):
         return True
     return any(name in each.text and alone.search(each.text) for each in robot.sources if each is not source)
 

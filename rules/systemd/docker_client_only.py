@@ -47,7 +47,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import variables
-from bringup_lint.api.systemd import DockerStart
+from bringup_lint.api.systemd import DockerCommand
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import docker_starts
 
@@ -89,14 +89,14 @@ def docker_client_only(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _settings(robot: Robot, unit: Unit, start: DockerStart) -> Iterator[tuple[Located, str, str]]:
+def _settings(robot: Robot, unit: Unit, start: DockerCommand) -> Iterator[tuple[Located, str, str]]:
     for key, (own, option, field) in KINDS.items():
         value = unit.get(key)
         if value and not _says(robot, start, own):
             yield value, f"{key}=", f"set {field} in the compose file" if start.compose else f"pass {option}"
 
 
-def _says(robot: Robot, start: DockerStart, own: re.Pattern[str]) -> bool:
+def _says(robot: Robot, start: DockerCommand, own: re.Pattern[str]) -> bool:
     """Whether something sets the same for the container, or may."""
     if start.compose:
         files = robot.of_kind("compose")
@@ -104,7 +104,7 @@ def _says(robot: Robot, start: DockerStart, own: re.Pattern[str]) -> bool:
     return any(own.match(word) for word in start.options)
 
 
-def _variables(robot: Robot, unit: Unit, start: DockerStart) -> Iterator[tuple[Located, str, str]]:
+def _variables(robot: Robot, unit: Unit, start: DockerCommand) -> Iterator[tuple[Located, str, str]]:
     for variable in robot.units.environment(unit):
         if variable.name not in variables() or variable.value.span.source.kind == "env-file":
             continue
@@ -115,7 +115,7 @@ def _variables(robot: Robot, unit: Unit, start: DockerStart) -> Iterator[tuple[L
             yield variable.value, variable.name, advice
 
 
-def _is_handed_on(robot: Robot, start: DockerStart, name: str) -> bool:
+def _is_handed_on(robot: Robot, start: DockerCommand, name: str) -> bool:
     if start.compose:
         return not robot.of_kind("compose") or any(name in each.text for each in robot.of_kind(*NAMED))
     return any(word.startswith("--env-file") or name in word for word in (*start.options, start.process.line))

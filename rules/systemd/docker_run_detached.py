@@ -42,7 +42,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import DockerStart
+from bringup_lint.api.systemd import DockerCommand
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import docker_starts
 from bringup_lint.api.systemd import docker_stop
@@ -84,7 +84,7 @@ def docker_run_detached(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _stop(robot: Robot, unit: Unit, start: DockerStart) -> Located | None:
+def _stop(robot: Robot, unit: Unit, start: DockerCommand) -> Located | None:
     """What takes the containers down when the service ends."""
     ends = (each for each in robot.units.processes(unit) if each.key == "ExecStop")
     return next((word for each in ends if (word := docker_stop(start, each)) is not None), None)
@@ -95,6 +95,6 @@ def _again(unit: Unit) -> str:
     return f", and Restart={restart} repeats both" if restart in ("always", "on-success") else ""
 
 
-def _is_main(start: DockerStart) -> bool:
+def _is_main(start: DockerCommand) -> bool:
     """Whether the command is what the service ends with: its own command line, or the last one of its shell."""
     return start.step.depth == 0 or (start.step.last and not start.step.command.background)

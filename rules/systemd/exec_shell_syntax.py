@@ -92,13 +92,13 @@ def _tilde(key: str, program: str, command: Command) -> Iterator[Finding]:
     """The first name of a file with a tilde that nothing expands."""
     words = [word for word in command.arguments if not word.startswith("-")]
     files = words[:1] if _INTERPRETER.fullmatch(program) else words if program in _OF_FILES else []
-    for word in (each for each in files if each.startswith("~/")):
+    word = next((each for each in files if each.startswith("~/")), None)
+    if word is not None:
         yield finding(
             word,
             f"No shell expands the tilde in {key}=: {program} looks for a folder that is called '~'",
             advice="write the home in full",
         )
-        return
 
 
 def _has_shell(names: list[str]) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
@@ -63,6 +64,11 @@ class Mentions:
                         if source is not None:
                             found.setdefault(source, path)
         return found
+
+
+@memo
+def _mentions(units: Units, files: Files) -> Mentions:
+    return Mentions(files, units)
 
 
 def _env_files_of_docker(words: Sequence[Located]) -> Iterator[Located]:
@@ -148,7 +154,7 @@ class UsedEnvFile:
 def docker_env_files(files: Files, units: Units) -> list[tuple[EnvFile, Located]]:
     """Every environment file that only a ``docker run`` of a unit reads, and the word that names it."""
     own = {file.source for unit in units.judged for file in units.environment_files(unit)}
-    read = {each: word for each, word in Mentions(files, units).of_docker.items() if each.judged and each not in own}
+    read = {each: word for each, word in _mentions(units, files).of_docker.items() if each.judged and each not in own}
     return [(model, read[model.source]) for model in files.parsed(parse, read)]
 
 
@@ -162,5 +168,5 @@ def used_env_files(files: Files, units: Units) -> list[UsedEnvFile]:
                 sources[file.source.name] = file.source
                 readers.setdefault(file.source.name, []).append(Reader(unit, file.value))
     models = files.parsed(parse, sources.values())
-    mentions = Mentions(files, units)
+    mentions = _mentions(units, files)
     return [UsedEnvFile(files, units, model, readers[model.source.name], mentions) for model in models]

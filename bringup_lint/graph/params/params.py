@@ -206,17 +206,19 @@ class Params:
         with such a program."""
         program = parameter.block.name.strip("/")
         owner = self.launch().workspace.owner(file.source)
-        owners = self._by_program.get(program, []) if owner is None else [owner] * (program in owner.executables)
-        if len(owners) != 1 or not self.is_used(file):
+        if owner is None:
+            owner = self._by_program.get(program)
+        if owner is None or program not in owner.executables or not self.is_used(file):
             return None
-        return self.declared_by(owners[0].name).get(parameter.name)
+        return self.declared_by(owner.name).get(parameter.name)
 
     @cached_property
-    def _by_program(self) -> dict[str, list[Package]]:
-        found: dict[str, list[Package]] = {}
+    def _by_program(self) -> dict[str, Package | None]:
+        """The only package with a program of each name; None where several have one."""
+        found: dict[str, Package | None] = {}
         for package in self.launch().workspace.packages.values():
             for program in package.executables:
-                found.setdefault(program, []).append(package)
+                found[program] = None if program in found else package
         return found
 
     @memo

@@ -29,6 +29,7 @@ _MADE = {
 }
 """What a call makes, and the fewest arguments that it takes."""
 _HOLD_NO_GROUP = frozenset({"create_wall_timer", "create_timer", "create_service", "create_client"})
+"""What takes a callback group, and does not keep it."""
 _TYPED = frozenset({_SUBSCRIPTION, "service", "action server"})
 """Made by templates, to which the type of the interface is given."""
 _OWNER = regex(r"(?:this->|(?:rclcpp|rclcpp_action)::|\w{0,40}(?i:node)\w{0,40}(?:\(\))?(?:->|\.))?create_\w+\Z")
@@ -50,7 +51,7 @@ def dropped(code: Code) -> Iterator[Dropped]:
         variable = _variable(code, call)
         if variable is None and (kind == _GROUP or not _is_statement(call.node)):
             continue
-        if variable is None or _ends_unused(code, bodies, call, variable):
+        if variable is None or _ends_unused(code, bodies, call, kind, variable):
             yield Dropped(code.span(call.node), kind, variable)
 
 
@@ -69,7 +70,7 @@ def _variable(code: Code, call: Call) -> str | None:
     return code.text(declarator) if is_plain and not is_static else None
 
 
-def _ends_unused(code: Code, bodies: _Bodies, call: Call, variable: str) -> bool:
+def _ends_unused(code: Code, bodies: _Bodies, call: Call, kind: str, variable: str) -> bool:
     """Whether a function names a variable only once, or only gives a local callback group to what makes timers,
     services and clients, which hold no pointer to it; and returns before an executor can run. Subscriptions keep the
     options that they are made with."""
@@ -77,9 +78,10 @@ def _ends_unused(code: Code, bodies: _Bodies, call: Call, variable: str) -> bool
     if node is None or code.function_name(call.node) in (None, "main"):
         return False
     body = bodies.of(node)
-    given = body.given[variable] if call.name == "create_callback_group" else 0
-    is_lost = body.words[variable] == 1 + given and (given > 0 or call.name != "create_callback_group")
-    return is_lost and body.lasts == len(_LASTS.findall(_STRING.sub('""', code.text(call.node))))
+    given = body.given[variable] if kind == _GROUP else 0
+    if body.words[variable] != 1 + given or (kind == _GROUP and not given):
+        return False
+    return body.lasts == len(_LASTS.findall(_STRING.sub('""', code.text(call.node))))
 
 
 class _Body(NamedTuple):

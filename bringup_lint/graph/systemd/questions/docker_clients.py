@@ -24,13 +24,13 @@ _DAEMON_OPTIONS = frozenset({"-H", "--host", "-c", "--context", "--config", "-l"
 _COMPOSE_OPTIONS = frozenset({"-f", "--file", "-p", "--project-name", "--env-file", "--profile", "--project-directory"})
 
 
-class DockerStart(NamedTuple):
-    """A command that starts containers."""
+class DockerCommand(NamedTuple):
+    """A command about containers or images."""
 
     process: Process
     step: Step
     verb: Located
-    """``run``, ``start`` or ``up``."""
+    """``run``, ``up``, ``stop``, ``pull`` and the like."""
     compose: bool
     options: tuple[Located, ...]
     """The words after the verb."""
@@ -55,19 +55,19 @@ class DockerStart(NamedTuple):
         return any(word.startswith("--restart") and word != "--restart=no" for word in self.options)
 
 
-def docker_starts(process: Process) -> Iterator[DockerStart]:
+def docker_starts(process: Process) -> Iterator[DockerCommand]:
     """The commands of a process by which the Docker daemon of this machine starts containers."""
     return _commands(process, _STARTING)
 
 
-def docker_stop(start: DockerStart, process: Process) -> Located | None:
+def docker_stop(start: DockerCommand, process: Process) -> Located | None:
     """The word by which a process always takes down what a command has started."""
     if _ASKS_HOW in process.line:
         return None
     return next((each.verb for each in _commands(process, _STOPPING) if _takes_down(each, start)), None)
 
 
-def _takes_down(stop: DockerStart, start: DockerStart) -> bool:
+def _takes_down(stop: DockerCommand, start: DockerCommand) -> bool:
     named = {str(word) for word in stop.options if not word.startswith("-")}
     if start.compose or stop.compose:
         return start.compose and stop.compose and not named
@@ -87,7 +87,7 @@ def docker_pulls(process: Process) -> Iterator[Located]:
         )
 
 
-def _commands(process: Process, verbs: frozenset[str]) -> Iterator[DockerStart]:
+def _commands(process: Process, verbs: frozenset[str]) -> Iterator[DockerCommand]:
     for step in process.steps:
         words = unwrapped(step.command.words)
         name = program_name(words[0]) if words else ""
@@ -100,7 +100,7 @@ def _commands(process: Process, verbs: frozenset[str]) -> Iterator[DockerStart]:
         if rest and rest[0] in ("container", "image", "stack"):
             rest = rest[1:]
         if rest and rest[0] in verbs and not _is_remote(words):
-            yield DockerStart(process, step, rest[0], compose, _own_options(rest[0], rest[1:], compose))
+            yield DockerCommand(process, step, rest[0], compose, _own_options(rest[0], rest[1:], compose))
 
 
 def _after_options(words: tuple[Located, ...], valued: frozenset[str]) -> tuple[Located, ...]:

@@ -31,7 +31,6 @@ HARDWARE = regex(
 """Words that speak of a stop in hardware."""
 COMPARED = 50
 """Publishers of one velocity that are compared with each other."""
-_MUX = "twist_mux"
 TOGETHER = ("nav2_", "opennav_")
 """Packages whose servers take turns, as the navigator decides."""
 
@@ -96,11 +95,16 @@ def _past_the_gate(several: list[Use]) -> list[Use]:
     return [*others, gates[0]] if len(gates) == 1 and others else []
 
 
+def is_mux(node: LaunchedNode) -> bool:
+    """Whether a node is twist_mux."""
+    return literal_text(node.started.package) == "twist_mux"
+
+
 def past_the_mux(running: Running) -> Iterator[list[Use]]:
     """The publishers of the topic to which the one twist_mux sends what it has chosen, after that of twist_mux."""
     for uses in running.by_topic().values():
         several = _sources(uses)
-        muxes = [use for use in several if literal_text(use.node.started.package) == _MUX]
+        muxes = [use for use in several if is_mux(use.node)]
         others = [use for use in several if not is_gate(use.node)]
         if len(muxes) == 1 and others and all(coexist(muxes[0].node, use.node) for use in others):
             yield [muxes[0], *others]

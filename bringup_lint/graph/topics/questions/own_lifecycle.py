@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.lifecycle_names import is_switched
 from bringup_lint.graph.launch.packages import code_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.source import Located
@@ -36,6 +38,10 @@ def own_lifecycle(topics: Topics, node: Started) -> Located | None:
         is_lifecycle = code.node_class.is_lifecycle
     else:
         is_lifecycle = code.source is not None and _BASE.search(with_header(topics.nodes, code.source)) is not None
-    if not is_lifecycle or _SWITCHES.search(code_of(topics.launch, package.folder)):
-        return None
-    return code.name
+    return code.name if is_lifecycle and not _switches_own(topics.launch, package.folder) else None
+
+
+@memo
+def _switches_own(launch: Launch, folder: str) -> bool:
+    """Whether the sources below a folder may configure their nodes themselves."""
+    return _SWITCHES.search(code_of(launch, folder)) is not None

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.topics.questions.command_sources import is_mux
 from bringup_lint.graph.topics.resolved.endpoint_use import Pair
 from bringup_lint.graph.topics.resolved.endpoint_use import Running
 from bringup_lint.graph.topics.resolved.endpoint_use import Use
@@ -14,7 +15,6 @@ from bringup_lint.graph.topics.resolved.endpoint_use import Use
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.topics import Topics
 
-_MUX = "twist_mux"
 _COMMON = frozenset("cmd vel velocity twist command".split())
 """Words that say of any velocity that it is one."""
 
@@ -29,39 +29,29 @@ def unfed_inputs(topics: Topics, said: set[str]) -> Iterator[Pair]:
     for running in topics.runs:
         if running.simulated:
             continue
-        inputs, velocities = _one_sided(running)
-        for use in inputs:
-            meant = [each for each in velocities if _is_alike(each, use)]
-            rivals = [each for each in inputs if meant and _is_alike(meant[0], each)]
-            if len(meant) != 1 or len(rivals) != 1 or use.given in seen or use.topic in said:
+        for inputs, velocities in _alike(running):
+            if len(inputs) != 1 or len(velocities) != 1 or inputs[0].given in seen or inputs[0].topic in said:
                 continue
-            seen.add(use.given)
-            if not any(_is_mentioned(topics, each) for each in (use, meant[0])):
-                yield Pair(meant[0], use)
+            seen.add(inputs[0].given)
+            if not any(_is_mentioned(topics, each) for each in (inputs[0], velocities[0])):
+                yield Pair(velocities[0], inputs[0])
 
 
-def _one_sided(running: Running) -> tuple[list[Use], list[Use]]:
-    """The inputs that nobody feeds, and the remapped velocities that nobody takes."""
-    inputs: list[Use] = []
-    velocities: list[Use] = []
+def _alike(running: Running) -> Iterable[tuple[list[Use], list[Use]]]:
+    """The inputs that nobody feeds, and the remapped velocities that nobody takes, those with the same words and type
+    together."""
+    found: dict[tuple[frozenset[str], object], tuple[list[Use], list[Use]]] = {}
     for uses in running.by_topic().values():
-        first = uses[0]
-        if any(use.role != first.role for use in uses) or "Twist" not in str(first.type):
+        use, *others = uses
+        words = _words(use.topic) if not others and "Twist" in str(use.type) else None
+        if not words:
             continue
-        if first.role == "subscription" and len(uses) == 1 and first.given is not None and _is_mux(first):
-            inputs.append(first)
-        if first.role == "publisher" and len(uses) == 1 and first.remapping is not None:
-            velocities.append(first)
-    return inputs, velocities
-
-
-def _is_mux(use: Use) -> bool:
-    return use.of_table and literal_text(use.node.started.package) == _MUX
-
-
-def _is_alike(velocity: Use, use: Use) -> bool:
-    words, others = _words(velocity.topic), _words(use.topic)
-    return bool(words) and words == others and velocity.type == use.type
+        inputs, velocities = found.setdefault((words, use.type), ([], []))
+        if use.role == "subscription" and use.given is not None and use.of_table and is_mux(use.node):
+            inputs.append(use)
+        elif use.role == "publisher" and use.remapping is not None:
+            velocities.append(use)
+    return found.values()
 
 
 def _words(topic: str) -> frozenset[str]:

@@ -10,7 +10,6 @@ from bringup_lint.graph.memo import kept
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
-from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
@@ -19,7 +18,7 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_ASKS = ("call_async", "send_goal_async")
+ASKS = ("call_async", "send_goal_async")
 _WAITS = regex(r"sleep|wait|spin|join|acquire|done|execute|recv|get\b")
 
 
@@ -30,59 +29,10 @@ class EarlyResult(NamedTuple):
     """Something is done with the result."""
 
 
-_OF_FUTURE = frozenset(
-    "add_done_callback cancel cancelled done exception executing result set_exception set_executor set_result "
-    "remove_pending_request".split()
-)
-"""What a future of rclpy has. Source: rclpy/task.py."""
-
-
-class FieldOfFuture(NamedTuple):
-    """A field of the response that is read of the future itself."""
-
-    asked: ast.Call
-    read: ast.Attribute
-
-
-def fields_of_futures(syntax: Syntax) -> Iterator[FieldOfFuture]:
-    """The first field in each function that a future of a service or action does not have."""
-    kept: dict[FunctionNode, dict[str, ast.Call]] = {}
-    for call in syntax.calls:
-        outer = next(syntax.above(call), (None, ""))[0]
-        function = syntax.function(call)
-        if (
-            not isinstance(call.func, ast.Attribute)
-            or call.func.attr not in _ASKS
-            or written(call.func.value) == "self"
-        ):
-            continue
-        if isinstance(outer, ast.Assign) and isinstance(outer.targets[0], ast.Name) and function is not None:
-            kept.setdefault(function, {})[outer.targets[0].id] = call
-    for function, futures in kept.items():
-        yield from _of_function(function, futures)
-
-
-def _of_function(function: FunctionNode, futures: dict[str, ast.Call]) -> Iterator[FieldOfFuture]:
-    nodes = list(own(function.body))
-    stored = [each.id for each in nodes if isinstance(each, ast.Name) and not isinstance(each.ctx, ast.Load)]
-    fields = [each for each in nodes if isinstance(each, ast.Attribute) and isinstance(each.value, ast.Name)]
-    given = {each.attr for each in fields if isinstance(each.ctx, ast.Store)}
-    for each in fields:
-        name = written(each.value)
-        if name in futures and stored.count(name) == 1 and not _has(each.attr, given):
-            yield FieldOfFuture(futures[name], each)
-            return
-
-
-def _has(attribute: str, given: set[str]) -> bool:
-    """Whether a future has an attribute, or the code gives it one."""
-    return attribute in _OF_FUTURE or attribute in given or attribute.startswith("_")
-
-
 def early_results(nodes: Nodes, syntax: Syntax) -> Iterator[EarlyResult]:
     """``future.result()`` after ``call_async`` where nothing in between waits, or asks whether it is done."""
     for call in syntax.calls:
-        if not isinstance(call.func, ast.Attribute) or call.func.attr not in _ASKS:
+        if not isinstance(call.func, ast.Attribute) or call.func.attr not in ASKS:
             continue
         outer = next(syntax.above(call), None)
         if outer is None:
